@@ -1,0 +1,19 @@
+# prosup_add_module(NAME USES <lower modules and public libraries>
+#                   PRIVATE_USES <libraries hidden behind the module's headers>)
+# builds libprosup_NAME from src/NAME/*.cc. A module links only what it names,
+# and --no-undefined turns an include of a higher module into a link error.
+function(prosup_add_module name)
+  cmake_parse_arguments(arg "" "" "USES;PRIVATE_USES" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cc)
+  set(target prosup_${name})
+  add_library(${target} SHARED ${sources})
+  add_library(prosup::${name} ALIAS ${target})
+  target_include_directories(${target} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_link_libraries(${target} PUBLIC ${arg_USES} PRIVATE ${arg_PRIVATE_USES} prosup_warnings)
+  target_link_options(${target} PRIVATE LINKER:--no-undefined LINKER:--as-needed)
+  set_target_properties(${target} PROPERTIES
+    EXPORT_NAME ${name} VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
+  install(TARGETS ${target} EXPORT prosupTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+endfunction()

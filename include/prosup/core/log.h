@@ -1,0 +1,35 @@
+#ifndef PROSUP_CORE_LOG_H
+#define PROSUP_CORE_LOG_H
+
+#include <mpi.h>
+
+#include <string>
+
+namespace prosup {
+
+/// Progress for people: one permanent line per stage, and a live line that
+/// overwrites itself on a terminal and is silent elsewhere. Only rank 0 of the
+/// communicator speaks; a default-constructed Log never does, which is what a
+/// host program gets unless it asks for more.
+class Log {
+public:
+  Log() = default;
+  explicit Log(MPI_Comm communicator);
+
+  /// Prints `text` and a newline to standard output.
+  void line(const std::string& text) const;
+
+  /// Replaces the live line by `text`.
+  void progress(const std::string& text) const;
+
+private:
+  bool speaks_ = false;
+  bool on_terminal_ = false;
+};
+
+/// printf-style formatting into a string.
+std::string format(const char* pattern, ...) __attribute__((format(printf, 1, 2)));
+
+} // namespace prosup
+
+#endif

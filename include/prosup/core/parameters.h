@@ -1,0 +1,28 @@
+#ifndef PROSUP_CORE_PARAMETERS_H
+#define PROSUP_CORE_PARAMETERS_H
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace prosup {
+
+/// One override from the command line: "Section/Subsection/Entry=value".
+using Override = std::string;
+
+/// Declares the parameters of all ParameterAcceptor objects alive, reads
+/// `file` (none if empty) strictly, applies the overrides in their order and
+/// gives every object its values.
+/// @throws Error that names the file, line, entry and what is allowed.
+void read_parameters(dealii::ParameterHandler& parameters, const std::filesystem::path& file,
+                     const std::vector<Override>& overrides);
+
+/// Writes all parameters with values, units and documentation to `file`.
+void write_parameters(const dealii::ParameterHandler& parameters,
+                      const std::filesystem::path& file);
+
+} // namespace prosup
+
+#endif

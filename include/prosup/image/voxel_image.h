@@ -1,0 +1,69 @@
+#ifndef PROSUP_IMAGE_VOXEL_IMAGE_H
+#define PROSUP_IMAGE_VOXEL_IMAGE_H
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace prosup::image {
+
+using dealii::Point;
+using dealii::Tensor;
+
+/// A regular grid in physical space (LPS, mm), ITK's convention: the centre of
+/// voxel i is  origin + direction * diag(spacing) * i,  the columns of
+/// `direction` being the unit vectors of the grid axes. The first index runs
+/// fastest in memory.
+struct VoxelGrid {
+  std::array<std::size_t, 3> size{0, 0, 0};
+  Point<3> origin;
+  Tensor<1, 3> spacing{{1., 1., 1.}};
+  Tensor<2, 3> direction{{{1., 0., 0.}, {0., 1., 0.}, {0., 0., 1.}}};
+
+  std::size_t n_voxels() const { return size[0] * size[1] * size[2]; }
+
+  std::size_t linear_index(std::size_t i, std::size_t j, std::size_t k) const {
+    return i + size[0] * (j + size[1] * k);
+  }
+
+  /// Physical position of a (continuous) index, mm.
+  Point<3> physical(double i, double j, double k) const;
+
+  /// Continuous index of a physical position: the inverse of physical().
+  Point<3> continuous_index(const Point<3>& position) const;
+
+  /// Same size, and every voxel centre equal to within `tolerance` voxels.
+  bool coincides_with(const VoxelGrid& other, double tolerance = 1e-3) const;
+
+  double voxel_volume() const { return spacing[0] * spacing[1] * spacing[2]; }
+};
+
+/// Values on a VoxelGrid.
+template <typename T>
+struct VoxelImage {
+  VoxelGrid grid;
+  std::vector<T> values;
+
+  VoxelImage() = default;
+  explicit VoxelImage(const VoxelGrid& g, T fill = T()) : grid(g), values(g.n_voxels(), fill) {}
+
+  T& operator()(std::size_t i, std::size_t j, std::size_t k) {
+    return values[grid.linear_index(i, j, k)];
+  }
+  const T& operator()(std::size_t i, std::size_t j, std::size_t k) const {
+    return values[grid.linear_index(i, j, k)];
+  }
+};
+
+using ScalarImage = VoxelImage<float>;
+using LabelImage = VoxelImage<std::uint8_t>;
+/// Displacements in mm, LPS: the value at a grid point leads from there.
+using VectorImage = VoxelImage<std::array<float, 3>>;
+
+} // namespace prosup::image
+
+#endif

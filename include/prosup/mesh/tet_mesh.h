@@ -1,0 +1,43 @@
+#ifndef PROSUP_MESH_TET_MESH_H
+#define PROSUP_MESH_TET_MESH_H
+
+#include <deal.II/base/point.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace prosup::mesh {
+
+using dealii::Point;
+
+/// What a boundary face of a breast mesh borders on. The numbers are the
+/// boundary ids of the deal.II triangulation.
+enum class BoundaryPart : unsigned { chest_wall = 1, cut_plane = 2, skin = 3 };
+
+struct BoundaryFace {
+  std::array<unsigned, 3> nodes;
+  BoundaryPart part;
+};
+
+/// A tetrahedral mesh held whole on one process, in the state in which it was
+/// imaged (prone or supine, loaded).
+struct TetMesh {
+  std::vector<Point<3>> points;                 ///< loaded positions x, LPS mm
+  std::vector<std::array<unsigned, 4>> cells;   ///< positively oriented
+  std::vector<std::uint8_t> tissue;             ///< label of each cell (2 fat, 3 gland)
+  std::vector<BoundaryFace> boundary_faces;
+};
+
+/// A TetMesh whose nodes also have a position in the unloaded configuration.
+struct UnloadedMesh {
+  TetMesh mesh;
+  std::vector<Point<3>> unloaded;               ///< X of each node, LPS mm
+};
+
+/// Volume of a tetrahedron with the given corners, mm^3; negative if inverted.
+double tet_volume(const Point<3>& a, const Point<3>& b, const Point<3>& c, const Point<3>& d);
+
+} // namespace prosup::mesh
+
+#endif

@@ -1,0 +1,47 @@
+#include "prosup/core/log.h"
+
+#include <unistd.h>
+
+#include <cstdarg>
+#include <cstdio>
+
+namespace prosup {
+
+namespace {
+constexpr const char* erase_line = "\r\033[K";
+}
+
+Log::Log(MPI_Comm communicator) {
+  int rank = 0;
+  MPI_Comm_rank(communicator, &rank);
+  speaks_ = rank == 0;
+  on_terminal_ = speaks_ && isatty(STDOUT_FILENO) != 0;
+}
+
+void Log::line(const std::string& text) const {
+  if (!speaks_)
+    return;
+  std::printf("%s%s\n", on_terminal_ ? erase_line : "", text.c_str());
+  std::fflush(stdout);
+}
+
+void Log::progress(const std::string& text) const {
+  if (!on_terminal_)
+    return;
+  std::printf("%s%s", erase_line, text.c_str());
+  std::fflush(stdout);
+}
+
+std::string format(const char* pattern, ...) {
+  va_list arguments, again;
+  va_start(arguments, pattern);
+  va_copy(again, arguments);
+  const int length = std::vsnprintf(nullptr, 0, pattern, arguments);
+  va_end(arguments);
+  std::string text(static_cast<std::size_t>(length), '\0');
+  std::vsnprintf(text.data(), text.size() + 1, pattern, again);
+  va_end(again);
+  return text;
+}
+
+} // namespace prosup
