@@ -1,0 +1,23 @@
+# cmake --install: the program, the modules, their headers, and a package for
+# find_package(prosup) in other projects.
+include(CMakePackageConfigHelpers)
+
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/prosup)
+
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/prosup DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+  FILES_MATCHING PATTERN "*.h")
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+install(EXPORT prosupTargets NAMESPACE prosup:: DESTINATION ${package_folder})
+
+configure_package_config_file(
+  ${PROJECT_SOURCE_DIR}/cmake/prosupConfig.cmake.in ${PROJECT_BINARY_DIR}/prosupConfig.cmake
+  INSTALL_DESTINATION ${package_folder})
+# Before 1.0 a minor version may change interfaces.
+write_basic_package_version_file(
+  ${PROJECT_BINARY_DIR}/prosupConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES
+  ${PROJECT_BINARY_DIR}/prosupConfig.cmake
+  ${PROJECT_BINARY_DIR}/prosupConfigVersion.cmake
+  ${PROJECT_SOURCE_DIR}/cmake/DealII.cmake
+  DESTINATION ${package_folder})
