@@ -1,0 +1,72 @@
+#ifndef PROSUP_MECHANICS_CENTRAL_DIFFERENCES_H
+#define PROSUP_MECHANICS_CENTRAL_DIFFERENCES_H
+
+#include <vector>
+
+#include "prosup/mechanics/body.h"
+#include "prosup/mechanics/internal_force.h"
+
+namespace prosup::mechanics {
+
+/// Masses of the nodes and the step that is stable with them.
+struct StableMass {
+  std::vector<double> mass;  ///< inertial mass of each local node, g
+  double time_step = 0.;     ///< s
+  double scaled_fraction = 0.; ///< part of the nodes whose mass was raised
+};
+
+/// Lumped masses rho V_a and a time step with a margin to the critical one,
+///   h = safety * min_a 2 sqrt(m_a / k_a),
+/// k_a being InternalForce::stiffness_bound. A few badly shaped cells would
+/// rule the step, so that the fraction `scaled_fraction` of the nodes with the
+/// smallest step gets the mass that suits the step of the others. The settled
+/// state does not depend on it. Collective.
+StableMass stable_mass(const Body& body, const InternalForce& internal_force,
+                       const NodeVector& displacement, double density, double safety,
+                       double scaled_fraction);
+
+/// What one step tells of the state, over all ranks of the body.
+struct StepReport {
+  double min_jacobian = 0.;     ///< smallest J
+  double kinetic_energy = 0.;   ///< g mm^2/s^2
+  double residual_norm = 0.;    ///< |external - internal force| of the free nodes, g mm/s^2
+};
+
+/// Explicit central differences with damping proportional to the speed, the
+/// paper's eq. 6. In terms of the mid-step velocity v = (u^n+1 - u^n)/h it is
+///   v^n+1/2 = (v^n-1/2 + h f/m) / (1 + h r/rho),  u^n+1 = u^n + h v^n+1/2,
+/// f being external minus internal force.
+class CentralDifferences {
+public:
+  CentralDifferences(const Body& body, const InternalForce& internal_force);
+
+  void set_fixed_nodes(const std::vector<bool>& fixed);
+  void set_mass(const StableMass& mass) { mass_ = mass; }
+  void set_damping(double rate) { damping_rate_ = rate; } ///< r/rho, 1/s
+
+  double time_step() const { return mass_.time_step; }
+
+  /// One step of `displacement` (ghosts in and out) under `external_force`
+  /// (owned nodes, g mm/s^2). Returns this rank's smallest J before the step.
+  double step(const NodeVector& external_force, NodeVector& displacement);
+
+  /// Energy and residual of the last step; collective.
+  StepReport report() const;
+
+  NodeVector& velocity() { return velocity_; }
+  const NodeVector& velocity() const { return velocity_; }
+
+private:
+  const Body& body_;
+  const InternalForce& internal_force_;
+  StableMass mass_;
+  double damping_rate_ = 0.;
+  double min_jacobian_ = 1.;
+  std::vector<double> mobility_; // 1 for free owned nodes, 0 for fixed ones
+  NodeVector force_;
+  NodeVector velocity_;
+};
+
+} // namespace prosup::mechanics
+
+#endif

@@ -1,0 +1,61 @@
+#ifndef PROSUP_MECHANICS_MATERIAL_H
+#define PROSUP_MECHANICS_MATERIAL_H
+
+#include <deal.II/base/parameter_acceptor.h>
+#include <deal.II/base/tensor.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace prosup::mechanics {
+
+/// Lame parameters of a hyperelastic material, Pa.
+struct LameParameters {
+  double mu;
+  double lambda;
+};
+
+/// lambda = 2 mu nu / (1 - 2 nu).
+LameParameters lame_parameters(double shear_modulus, double poisson_ratio);
+
+/// Energy density of the neo-Hookean material, Pa:
+///   W = mu/2 (tr C - 3) - mu ln J + lambda/2 (ln J)^2.
+/// @throws DivergenceError if det F <= 0.
+double neo_hookean_energy(const dealii::Tensor<2, 3>& F, const LameParameters& material);
+
+/// First Piola-Kirchhoff stress P = dW/dF, Pa:
+///   P = mu F + (lambda ln J - mu) F^-T,
+/// the transpose of the nominal stress of the paper's eq. 2.
+/// @throws DivergenceError if det F <= 0.
+dealii::Tensor<2, 3> first_piola_kirchhoff_stress(const dealii::Tensor<2, 3>& F,
+                                                  const LameParameters& material);
+
+/// The materials that can be chosen by name.
+const std::vector<std::string>& material_names();
+
+/// The material of the tissues of a body: a shear modulus common to all, which
+/// the material update changes, and a factor for each tissue label.
+class TissueMaterial : public dealii::ParameterAcceptor {
+public:
+  TissueMaterial();
+
+  /// The shear modulus to start with, Pa.
+  double initial_shear_modulus() const { return shear_modulus_; }
+  double poisson_ratio() const { return poisson_ratio_; }
+
+  /// Lame parameters for each entry of `tissue_labels` at the given common
+  /// shear modulus; a single entry if all tissues are the same material.
+  std::vector<LameParameters> parameters_of(const std::vector<unsigned>& tissue_labels,
+                                            double shear_modulus) const;
+
+private:
+  std::string model_;
+  double shear_modulus_ = 357.1;
+  double poisson_ratio_ = 0.4;
+  std::map<unsigned, double> stiffness_factors_{{2, 1.}, {3, 1.}};
+};
+
+} // namespace prosup::mechanics
+
+#endif

@@ -1,0 +1,26 @@
+#ifndef PROSUP_SIMILARITY_DOMAIN_H
+#define PROSUP_SIMILARITY_DOMAIN_H
+
+#include <mpi.h>
+
+#include <array>
+
+#include "prosup/similarity/image_force.h"
+
+namespace prosup::similarity {
+
+/// A grid with axes along LPS and the given spacing (mm) that holds the
+/// unloaded meshes of both states and `margin` mm around them. Collective on
+/// `communicator`.
+image::VoxelGrid common_unloaded_grid(const std::array<LoadedState, 2>& states, double spacing,
+                                      double margin, MPI_Comm communicator);
+
+/// The domain on `grid`: voxels in the chest of either label image, or beyond
+/// a face of its field of view that the body touches, do not count as air.
+SimilarityDomain similarity_domain(const image::VoxelGrid& grid,
+                                   const std::array<const image::LabelImage*, 2>& labels,
+                                   unsigned chest_label, unsigned n_layers);
+
+} // namespace prosup::similarity
+
+#endif

@@ -1,0 +1,69 @@
+#ifndef PROSUP_SIMILARITY_IMAGE_FORCE_H
+#define PROSUP_SIMILARITY_IMAGE_FORCE_H
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "prosup/image/voxel_image.h"
+#include "prosup/mechanics/body.h"
+#include "prosup/similarity/metric.h"
+
+namespace prosup::similarity {
+
+/// One state of the body as far as a rank holds it: null where another rank
+/// works on it.
+struct LoadedState {
+  const mechanics::Body* body = nullptr;
+  const mechanics::NodeVector* unloaded = nullptr; ///< X with ghosts, mm
+  const image::ScalarImage* image = nullptr;       ///< in the loaded state
+};
+
+/// What is the same for all evaluations on one grid.
+struct SimilarityDomain {
+  image::VoxelGrid grid;
+  /// Voxels in which an image without tissue there does not count as air: the
+  /// chest, and all beyond the field of view.
+  std::vector<bool> no_air;
+  unsigned n_layers = 2;    ///< voxels added around each mesh
+  float air = 0.f;          ///< intensity outside the body
+};
+
+/// The dissimilarity of a pair and its forces.
+struct SimilarityResult {
+  double value = 0.;
+  /// -dS/du_a of each state held by this rank, owned nodes, [S]/mm: for the
+  /// SSD of images scaled to [0, 1], mm^2. Empty for other states.
+  std::array<mechanics::NodeVector, 2> forces;
+};
+
+/// Symmetric image forces, eq. 12 to 14: warps both images to the common
+/// unloaded grid and projects the forces of the voxels to the nodes,
+///   f_a = -sum_v dS/dP_v grad_x P_loaded(x(X_v)) N_a(X_v),
+/// the exact derivative of the discrete value by the displacement u_a at fixed
+/// X, since P(X) = P_loaded(X + u). The paper's F f in eq. 15 approximates it:
+/// grad_x = F^-T grad_X. Collective on `communicator`, which holds the ranks
+/// of both states.
+class ImageForce {
+public:
+  ImageForce(std::shared_ptr<const Metric> metric, MPI_Comm communicator);
+
+  SimilarityResult evaluate(const SimilarityDomain& domain,
+                            const std::array<LoadedState, 2>& states) const;
+
+  /// The two warped images, on every rank, for pictures and other measures.
+  WarpedPair warp(const SimilarityDomain& domain,
+                  const std::array<LoadedState, 2>& states) const;
+
+private:
+  struct Samples;
+
+  WarpedPair combine(const SimilarityDomain& domain, const std::array<Samples, 2>& samples) const;
+
+  std::shared_ptr<const Metric> metric_;
+  MPI_Comm communicator_;
+};
+
+} // namespace prosup::similarity
+
+#endif

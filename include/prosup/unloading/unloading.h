@@ -1,0 +1,108 @@
+#ifndef PROSUP_UNLOADING_UNLOADING_H
+#define PROSUP_UNLOADING_UNLOADING_H
+
+#include <string>
+#include <vector>
+
+#include "prosup/core/log.h"
+#include "prosup/mechanics/body.h"
+#include "prosup/mechanics/central_differences.h"
+#include "prosup/mechanics/internal_force.h"
+#include "prosup/unloading/unloading_parameters.h"
+
+namespace prosup::unloading {
+
+using mechanics::NodeVector;
+
+/// How far an unloading has come.
+struct UnloadingResult {
+  bool converged = false;
+  unsigned n_steps = 0;        ///< in this call
+  unsigned n_retries = 0;      ///< returns to the last good state, in this call
+  double residual = 0.;        ///< out-of-balance force over weight
+  double distance = 0.;        ///< max |x - u - X|, mm
+  double min_jacobian = 0.;    ///< smallest J = det dx/dX
+};
+
+/// Finds the unloaded configuration X of a body imaged under gravity by the
+/// prediction-correction of the paper (its Fig. 3) in Lagrangian form. The
+/// loaded position x of each node is known. A forward simulation on the
+/// current X predicts the displacement u, and every n steps
+///   X <- X + beta (x - u - X),  beta = min(1, n h/tau).
+/// Where it settles, internal(X -> x) = gravity + extra force, and X + u = x.
+/// Collective on the communicator of the body.
+class Unloading {
+public:
+  /// What has to be kept to return to a state.
+  struct State {
+    NodeVector unloaded, displacement, velocity, force, force_increment;
+    double time = 0., ramp_start = 0., ramp_time = 0.;
+  };
+
+  /// `gravity_direction` is a direction in LPS of any positive length.
+  Unloading(const UnloadingParameters& parameters, const mechanics::Body& body,
+            const dealii::Tensor<1, 3>& gravity_direction, std::string name = "body",
+            const Log& log = Log());
+
+  /// As InternalForce::set_material. Keeps the state: a changed material
+  /// continues from the present configuration.
+  void set_material(const std::vector<mechanics::LameParameters>& parameters);
+
+  /// Adds nodal forces (owned nodes, g mm/s^2; image forces, eq. 15) that rise
+  /// linearly from 0 to their value over `ramp_time` seconds from now.
+  void add_force(const NodeVector& increment, double ramp_time);
+
+  /// Simulates until settled to the tolerances.
+  /// @throws DivergenceError with a diagnosis when all retries are used up;
+  /// the last good state is restored first.
+  UnloadingResult run();
+
+  /// Simulates `n_steps` steps. @throws as run().
+  UnloadingResult advance(unsigned n_steps);
+
+  const mechanics::Body& body() const { return body_; }
+  /// X, mm, with ghosts.
+  const NodeVector& unloaded() const { return state_.unloaded; }
+  /// u of the forward simulation, mm, with ghosts.
+  const NodeVector& displacement() const { return state_.displacement; }
+  double time_step() const { return integrator_.time_step(); }
+  const std::string& name() const { return name_; }
+
+  State save() const { return state_with_velocity(); }
+  void restore(const State& state);
+
+private:
+  UnloadingResult simulate(unsigned max_steps, bool until_settled);
+  void correct_unloaded_positions();
+  void update_reference();
+  void update_mass();
+  void update_external_force();
+  double max_distance() const;
+  bool is_healthy(const mechanics::StepReport& report) const;
+  void retreat(const mechanics::StepReport& report, UnloadingResult& result);
+  std::string diagnosis(const mechanics::StepReport& report) const;
+  State state_with_velocity() const;
+
+  const UnloadingParameters& parameters_;
+  const mechanics::Body& body_;
+  const dealii::Tensor<1, 3> gravity_;
+  const std::string name_;
+  const Log log_;
+  const std::vector<bool> fixed_;
+  mechanics::InternalForce internal_force_;
+  mechanics::CentralDifferences integrator_;
+  State state_;
+  State last_good_;
+  NodeVector external_force_;
+  std::vector<double> lumped_volume_;
+  double weight_norm_ = 0.;
+  double lag_;
+  double safety_;
+  double min_jacobian_ = 1.;        // this rank's, since the last report
+  double reference_volume_ = 1.;    // smallest cell volume, all ranks
+  double kinetic_energy_limit_ = 0.;
+};
+
+} // namespace prosup::unloading
+
+#endif

@@ -1,0 +1,89 @@
+#include "prosup/core/parameters.h"
+
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/parameter_acceptor.h>
+#include <deal.II/base/utilities.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "prosup/core/error.h"
+
+namespace prosup {
+
+using namespace dealii;
+
+namespace {
+
+/// The message of a deal.II exception as one line without its stack trace.
+std::string in_one_line(const ExceptionBase& exception) {
+  std::ostringstream text;
+  exception.print_info(text);
+  std::istringstream words(text.str());
+  std::string line, word;
+  while (words >> word)
+    line += (line.empty() ? "" : " ") + word;
+  return line;
+}
+
+void read_file(ParameterHandler& parameters, const std::filesystem::path& file) {
+  if (!std::filesystem::is_regular_file(file))
+    throw Error("The parameter file '" + file.string() +
+                "' does not exist or is no file; give the path of a .prm file, or write one with "
+                "--write-prm.");
+  try {
+    parameters.parse_input(file.string(), "", false);
+  } catch (const ExceptionBase& exception) {
+    throw Error("The parameter file '" + file.string() + "' cannot be used: " +
+                in_one_line(exception) + " (all entries and allowed values: --write-prm FILE)");
+  }
+}
+
+void apply(ParameterHandler& parameters, const Override& override) {
+  const std::size_t equals = override.find('=');
+  if (equals == std::string::npos)
+    throw Error("The override '" + override + "' has no '='; write --set \"Section/Entry=value\".");
+  const std::string value = Utilities::trim(override.substr(equals + 1));
+  std::vector<std::string> path =
+      Utilities::split_string_list(override.substr(0, equals), '/');
+  const std::string entry = path.empty() ? "" : path.back();
+  if (!path.empty())
+    path.pop_back();
+  if (!path.empty() && !parameters.subsection_path_exists(path))
+    throw Error("The section of the override '" + override +
+                "' does not exist; --write-prm FILE lists all sections and entries.");
+  for (const std::string& section : path)
+    parameters.enter_subsection(section);
+  try {
+    parameters.set(entry, value);
+  } catch (const ExceptionBase& exception) {
+    for (std::size_t i = 0; i < path.size(); ++i)
+      parameters.leave_subsection();
+    throw Error("The override '" + override + "' cannot be used: " + in_one_line(exception) +
+                " (all entries and allowed values: --write-prm FILE)");
+  }
+  for (std::size_t i = 0; i < path.size(); ++i)
+    parameters.leave_subsection();
+}
+
+} // namespace
+
+void read_parameters(ParameterHandler& parameters, const std::filesystem::path& file,
+                     const std::vector<Override>& overrides) {
+  ParameterAcceptor::declare_all_parameters(parameters);
+  if (!file.empty())
+    read_file(parameters, file);
+  for (const Override& override : overrides)
+    apply(parameters, override);
+  ParameterAcceptor::parse_all_parameters(parameters);
+}
+
+void write_parameters(const ParameterHandler& parameters, const std::filesystem::path& file) {
+  std::ofstream out(file);
+  parameters.print_parameters(out, ParameterHandler::PRM | ParameterHandler::KeepDeclarationOrder);
+  if (!out)
+    throw Error("The parameters cannot be written to '" + file.string() +
+                "'; choose a folder that exists and can be written.");
+}
+
+} // namespace prosup

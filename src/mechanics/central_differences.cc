@@ -1,0 +1,101 @@
+#include "prosup/mechanics/central_differences.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace prosup::mechanics {
+
+using namespace dealii;
+
+namespace {
+
+/// The value below which the given fraction of all ranks' values lies, and
+/// the smallest one.
+double global_quantile(std::vector<double> values, double fraction, MPI_Comm communicator) {
+  std::vector<double> all;
+  for (const auto& part : Utilities::MPI::all_gather(communicator, values))
+    all.insert(all.end(), part.begin(), part.end());
+  const auto nth = static_cast<std::size_t>(fraction * static_cast<double>(all.size() - 1));
+  std::nth_element(all.begin(), all.begin() + nth, all.end());
+  return all[nth];
+}
+
+} // namespace
+
+StableMass stable_mass(const Body& body, const InternalForce& internal_force,
+                       const NodeVector& displacement, double density, double safety,
+                       double scaled_fraction) {
+  StableMass result;
+  result.mass = internal_force.lumped_volume();
+  const std::vector<double> stiffness = internal_force.stiffness_bound(displacement);
+  for (double& mass : result.mass)
+    mass *= density;
+  std::vector<double> critical(body.n_owned_nodes());
+  for (unsigned node = 0; node < critical.size(); ++node)
+    critical[node] = 2. * std::sqrt(result.mass[node] / stiffness[node]);
+  result.time_step = safety * global_quantile(critical, scaled_fraction, body.communicator());
+
+  unsigned n_scaled = 0;
+  for (unsigned node = 0; node < result.mass.size(); ++node) {
+    const double half_step = 0.5 * result.time_step / safety;
+    const double needed = stiffness[node] * half_step * half_step;
+    if (result.mass[node] < needed) {
+      result.mass[node] = needed;
+      n_scaled += node < body.n_owned_nodes();
+    }
+  }
+  result.scaled_fraction =
+      static_cast<double>(Utilities::MPI::sum(n_scaled, body.communicator())) /
+      body.n_global_nodes();
+  return result;
+}
+
+CentralDifferences::CentralDifferences(const Body& body, const InternalForce& internal_force)
+    : body_(body), internal_force_(internal_force), mobility_(body.n_owned_nodes(), 1.) {
+  body.initialize(force_);
+  body.initialize(velocity_);
+}
+
+void CentralDifferences::set_fixed_nodes(const std::vector<bool>& fixed) {
+  for (unsigned node = 0; node < body_.n_owned_nodes(); ++node)
+    mobility_[node] = fixed[node] ? 0. : 1.;
+}
+
+double CentralDifferences::step(const NodeVector& external_force, NodeVector& displacement) {
+  std::copy_n(external_force.begin(), 3 * body_.n_owned_nodes(), force_.begin());
+  std::fill(force_.begin() + 3 * body_.n_owned_nodes(),
+            force_.begin() + 3 * static_cast<std::size_t>(body_.n_local_nodes()), 0.);
+  min_jacobian_ = internal_force_.subtract(displacement, force_);
+  force_.compress(VectorOperation::add);
+
+  const double h = mass_.time_step;
+  const double decay = 1. / (1. + h * damping_rate_);
+  double* v = velocity_.begin();
+  double* u = displacement.begin();
+  double* f = force_.begin();
+  for (unsigned node = 0; node < body_.n_owned_nodes(); ++node) {
+    const double gain = decay * h * mobility_[node] / mass_.mass[node];
+    for (unsigned c = 0; c < 3; ++c, ++v, ++u, ++f) {
+      *f *= mobility_[node];
+      *v = decay * mobility_[node] * *v + gain * *f;
+      *u += h * *v;
+    }
+  }
+  displacement.update_ghost_values();
+  return min_jacobian_;
+}
+
+StepReport CentralDifferences::report() const {
+  double sums[2] = {0., 0.};
+  for (unsigned node = 0; node < body_.n_owned_nodes(); ++node) {
+    sums[0] += 0.5 * mass_.mass[node] * node_value(velocity_, node).norm_square();
+    sums[1] += node_value(force_, node).norm_square();
+  }
+  Utilities::MPI::sum(ArrayView<const double>(sums, 2), body_.communicator(),
+                      ArrayView<double>(sums, 2));
+  return {Utilities::MPI::min(min_jacobian_, body_.communicator()), sums[0], std::sqrt(sums[1])};
+}
+
+} // namespace prosup::mechanics

@@ -1,0 +1,89 @@
+#include "prosup/mechanics/material.h"
+
+#include <cmath>
+
+#include "prosup/core/error.h"
+#include "prosup/core/log.h"
+
+namespace prosup::mechanics {
+
+using namespace dealii;
+
+namespace {
+
+double checked_determinant(const Tensor<2, 3>& F) {
+  const double J = determinant(F);
+  if (!(J > 0.))
+    throw DivergenceError(format("The deformation gradient has det F = %g; only positive values "
+                                 "are allowed, so reduce the load or stiffen the material.", J));
+  return J;
+}
+
+} // namespace
+
+LameParameters lame_parameters(double shear_modulus, double poisson_ratio) {
+  return {shear_modulus, 2. * shear_modulus * poisson_ratio / (1. - 2. * poisson_ratio)};
+}
+
+double neo_hookean_energy(const Tensor<2, 3>& F, const LameParameters& material) {
+  const double log_J = std::log(checked_determinant(F));
+  return 0.5 * material.mu * (scalar_product(F, F) - 3.) - material.mu * log_J +
+         0.5 * material.lambda * log_J * log_J;
+}
+
+Tensor<2, 3> first_piola_kirchhoff_stress(const Tensor<2, 3>& F, const LameParameters& material) {
+  const double log_J = std::log(checked_determinant(F));
+  return material.mu * F + (material.lambda * log_J - material.mu) * transpose(invert(F));
+}
+
+const std::vector<std::string>& material_names() {
+  static const std::vector<std::string> names{"neo-Hookean"};
+  return names;
+}
+
+TissueMaterial::TissueMaterial() : ParameterAcceptor("Material"), model_(material_names().front()) {
+  add_parameter("Model", model_,
+                "Hyperelastic law of all tissues. Allowed: neo-Hookean (paper eq. 2).", prm,
+                Patterns::Selection(Patterns::Tools::Convert<std::vector<std::string>>::to_string(
+                                        material_names())));
+  add_parameter("Shear modulus", shear_modulus_,
+                "mu, the shear modulus to start with, common to all tissues and changed by the "
+                "material update. Units: Pa. The default is the paper's generic material "
+                "(E = 1 kPa, nu = 0.4).",
+                prm, Patterns::Double(1e-3, 1e9));
+  add_parameter("Poisson ratio", poisson_ratio_,
+                "nu, Poisson's ratio of all tissues; lambda = 2 mu nu / (1 - 2 nu). Units: none. "
+                "The default is the paper's generic material. Linear tetrahedra lock towards 0.5.",
+                prm, Patterns::Double(0., 0.4999));
+  add_parameter("Stiffness factors", stiffness_factors_,
+                "Factor on the shear modulus for each tissue label, as 'label: factor'. "
+                "Units: none.",
+                prm, Patterns::Map(Patterns::Integer(0, 255), Patterns::Double(1e-6, 1e6)));
+}
+
+std::vector<LameParameters>
+TissueMaterial::parameters_of(const std::vector<unsigned>& tissue_labels,
+                              double shear_modulus) const {
+  const bool one_material = [&] {
+    for (const auto& [label, factor] : stiffness_factors_)
+      if (factor != stiffness_factors_.begin()->second)
+        return false;
+    return true;
+  }();
+  if (one_material) {
+    const double factor = stiffness_factors_.empty() ? 1. : stiffness_factors_.begin()->second;
+    return {lame_parameters(shear_modulus * factor, poisson_ratio_)};
+  }
+  std::vector<LameParameters> parameters;
+  parameters.reserve(tissue_labels.size());
+  for (const unsigned label : tissue_labels) {
+    const auto found = stiffness_factors_.find(label);
+    if (found == stiffness_factors_.end())
+      throw Error(format("Tissue label %u has no entry in 'Material/Stiffness factors'; add "
+                         "'%u: factor' there.", label, label));
+    parameters.push_back(lame_parameters(shear_modulus * found->second, poisson_ratio_));
+  }
+  return parameters;
+}
+
+} // namespace prosup::mechanics

@@ -1,0 +1,99 @@
+#include "prosup/registration/body_pair.h"
+
+#include "prosup/core/collective.h"
+
+namespace prosup::registration {
+
+using similarity::LoadedState;
+using similarity::prone;
+using similarity::supine;
+using unloading::UnloadingResult;
+
+namespace {
+
+constexpr std::array<State, 2> both{prone, supine};
+
+/// Results of the two states are known to the ranks that hold them; this tells
+/// all others.
+std::array<UnloadingResult, 2> share(std::array<UnloadingResult, 2> results,
+                                     const RankSplit& ranks) {
+  for (const State state : both)
+    MPI_Bcast(&results[state], sizeof(UnloadingResult), MPI_BYTE, ranks.first_rank(state),
+              ranks.world());
+  return results;
+}
+
+} // namespace
+
+RankSplit::RankSplit(MPI_Comm world) {
+  MPI_Comm_dup(world, &world_);
+  int rank = 0, n_ranks = 1;
+  MPI_Comm_rank(world_, &rank);
+  MPI_Comm_size(world_, &n_ranks);
+  const int n_prone = (n_ranks + 1) / 2;
+  const bool on_prone = rank < n_prone;
+  holds_ = {on_prone, !on_prone || n_ranks == 1};
+  first_rank_ = {0, n_ranks == 1 ? 0 : n_prone};
+  MPI_Comm_split(world_, on_prone ? 0 : 1, rank, &group_);
+}
+
+RankSplit::~RankSplit() {
+  MPI_Comm_free(&group_);
+  MPI_Comm_free(&world_);
+}
+
+void BodyPair::for_each(const std::function<void(State, BodyState&)>& work) {
+  on_every_rank(ranks_.world(), [&] {
+    for (const State state : both)
+      if (ranks_.holds(state))
+        work(state, states_[state]);
+  });
+}
+
+void BodyPair::set_material(const mechanics::TissueMaterial& material, double shear_modulus) {
+  for_each([&](State, BodyState& state) {
+    state.unloading->set_material(
+        material.parameters_of(state.body->material_ids(), shear_modulus));
+  });
+}
+
+std::array<UnloadingResult, 2> BodyPair::unload(unsigned n_steps) {
+  std::array<UnloadingResult, 2> results;
+  for_each([&](State which, BodyState& state) {
+    results[which] = n_steps == 0 ? state.unloading->run() : state.unloading->advance(n_steps);
+  });
+  return share(results, ranks_);
+}
+
+std::array<LoadedState, 2> BodyPair::loaded_states() const {
+  std::array<LoadedState, 2> states;
+  for (const State s : both)
+    if (ranks_.holds(s))
+      states[s] = {states_[s].body.get(), &states_[s].unloading->unloaded(), &states_[s].image};
+  return states;
+}
+
+std::array<LoadedState, 2>
+BodyPair::loaded_states(const std::array<image::ScalarImage, 2>& images) const {
+  std::array<LoadedState, 2> states = loaded_states();
+  for (const State s : both)
+    if (states[s].body != nullptr)
+      states[s].image = &images[s];
+  return states;
+}
+
+BodyPair::Snapshot BodyPair::save() const {
+  Snapshot snapshot;
+  for (const State s : both)
+    if (ranks_.holds(s))
+      snapshot[s] = std::make_unique<unloading::Unloading::State>(states_[s].unloading->save());
+  return snapshot;
+}
+
+void BodyPair::restore(const Snapshot& snapshot) {
+  for (const State s : both)
+    if (snapshot[s])
+      states_[s].unloading->restore(*snapshot[s]);
+}
+
+} // namespace prosup::registration

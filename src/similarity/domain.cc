@@ -1,0 +1,95 @@
+#include "prosup/similarity/domain.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "prosup/image/sampling.h"
+
+namespace prosup::similarity {
+
+using dealii::Point;
+using image::LabelImage;
+using image::VoxelGrid;
+
+namespace {
+
+/// For each axis of the grid and either end: does the body touch that face?
+std::array<std::array<bool, 2>, 3> touched_faces(const LabelImage& labels) {
+  std::array<std::array<bool, 2>, 3> touched{};
+  const auto& size = labels.grid.size;
+  std::size_t v = 0;
+  for (std::size_t k = 0; k < size[2]; ++k)
+    for (std::size_t j = 0; j < size[1]; ++j)
+      for (std::size_t i = 0; i < size[0]; ++i, ++v) {
+        if (labels.values[v] == 0)
+          continue;
+        const std::size_t index[3] = {i, j, k};
+        for (unsigned d = 0; d < 3; ++d) {
+          touched[d][0] = touched[d][0] || index[d] == 0;
+          touched[d][1] = touched[d][1] || index[d] + 1 == size[d];
+        }
+      }
+  return touched;
+}
+
+bool beyond(const VoxelGrid& grid, const std::array<std::array<bool, 2>, 3>& faces,
+            const Point<3>& position) {
+  const Point<3> index = grid.continuous_index(position);
+  for (unsigned d = 0; d < 3; ++d)
+    if ((faces[d][0] && index[d] < -0.5) ||
+        (faces[d][1] && index[d] > static_cast<double>(grid.size[d]) - 0.5))
+      return true;
+  return false;
+}
+
+} // namespace
+
+VoxelGrid common_unloaded_grid(const std::array<LoadedState, 2>& states, double spacing,
+                               double margin, MPI_Comm communicator) {
+  // Lower ends as negative numbers, so that one maximum serves both.
+  double ends[6];
+  std::fill(ends, ends + 6, -std::numeric_limits<double>::max());
+  for (const LoadedState& state : states)
+    if (state.body != nullptr)
+      for (unsigned node = 0; node < state.body->n_owned_nodes(); ++node)
+        for (unsigned d = 0; d < 3; ++d) {
+          const double x = state.unloaded->local_element(3 * node + d);
+          ends[d] = std::max(ends[d], -x);
+          ends[3 + d] = std::max(ends[3 + d], x);
+        }
+  MPI_Allreduce(MPI_IN_PLACE, ends, 6, MPI_DOUBLE, MPI_MAX, communicator);
+
+  VoxelGrid grid;
+  for (unsigned d = 0; d < 3; ++d) {
+    // On multiples of the spacing a grid does not jitter with the mesh.
+    const double low = std::floor((-ends[d] - margin) / spacing);
+    const double high = std::ceil((ends[3 + d] + margin) / spacing);
+    grid.spacing[d] = spacing;
+    grid.origin[d] = spacing * low;
+    grid.size[d] = static_cast<std::size_t>(high - low) + 1;
+  }
+  return grid;
+}
+
+SimilarityDomain similarity_domain(const VoxelGrid& grid,
+                                   const std::array<const LabelImage*, 2>& labels,
+                                   unsigned chest_label, unsigned n_layers) {
+  SimilarityDomain domain{grid, std::vector<bool>(grid.n_voxels()), n_layers, 0.f};
+  for (const LabelImage* image : labels) {
+    const auto faces = touched_faces(*image);
+    std::size_t v = 0;
+    for (std::size_t k = 0; k < grid.size[2]; ++k)
+      for (std::size_t j = 0; j < grid.size[1]; ++j)
+        for (std::size_t i = 0; i < grid.size[0]; ++i, ++v) {
+          const Point<3> position = grid.physical(
+              static_cast<double>(i), static_cast<double>(j), static_cast<double>(k));
+          if (beyond(image->grid, faces, position) ||
+              image::nearest_label(*image, position) == chest_label)
+            domain.no_air[v] = true;
+        }
+  }
+  return domain;
+}
+
+} // namespace prosup::similarity

@@ -1,0 +1,127 @@
+#include "prosup/similarity/image_force.h"
+
+#include <utility>
+
+#include "prosup/image/sampling.h"
+#include "prosup/similarity/voxel_map.h"
+
+namespace prosup::similarity {
+
+using namespace dealii;
+using mechanics::NodeVector;
+
+namespace {
+
+// How sure a warped image is of a voxel.
+constexpr float in_mesh = 1.f;
+constexpr float beyond_boundary = 0.25f;
+
+NodeVector displacement_of(const LoadedState& state) {
+  NodeVector displacement = *state.unloaded;
+  const NodeVector& loaded = state.body->vertex_positions();
+  for (unsigned i = 0; i < 3 * state.body->n_local_nodes(); ++i)
+    displacement.local_element(i) =
+        loaded.local_element(i) - state.unloaded->local_element(i);
+  return displacement;
+}
+
+bool counts(float prone_cover, float supine_cover, bool no_air) {
+  if (prone_cover <= 0.f && supine_cover <= 0.f)
+    return false;
+  const bool both = prone_cover > 0.f && supine_cover > 0.f;
+  const bool any_in_mesh = prone_cover == in_mesh || supine_cover == in_mesh;
+  return !no_air || (both && any_in_mesh);
+}
+
+} // namespace
+
+/// One state's image at the voxels of its map, with gradients grad_x P.
+struct ImageForce::Samples {
+  std::vector<VoxelMap::Voxel> voxels;
+  std::vector<float> values;
+  std::vector<Tensor<1, 3, float>> gradients;
+
+  Samples() = default;
+  Samples(const SimilarityDomain& domain, const LoadedState& state) {
+    if (state.body == nullptr)
+      return;
+    const VoxelMap map(domain.grid, *state.body, *state.unloaded, domain.n_layers);
+    const NodeVector displacement = displacement_of(state);
+    const image::Sampler sampler(*state.image);
+    voxels = map.voxels();
+    values.reserve(voxels.size());
+    gradients.reserve(voxels.size());
+    for (const VoxelMap::Voxel& voxel : voxels) {
+      Tensor<1, 3> gradient;
+      values.push_back(
+          sampler.value_and_gradient(map.loaded_position(voxel, displacement), gradient));
+      gradients.emplace_back(gradient);
+    }
+  }
+
+  NodeVector forces(const LoadedState& state, const std::vector<float>& derivatives) const {
+    NodeVector forces;
+    if (state.body == nullptr)
+      return forces;
+    state.body->initialize(forces);
+    for (std::size_t i = 0; i < voxels.size(); ++i) {
+      const Tensor<1, 3> force =
+          -static_cast<double>(derivatives[voxels[i].index]) * Tensor<1, 3>(gradients[i]);
+      for (unsigned a = 0; a < 4; ++a)
+        for (unsigned c = 0; c < 3; ++c)
+          forces.local_element(3 * state.body->cells()[voxels[i].cell][a] + c) +=
+              voxels[i].weights[a] * force[c];
+    }
+    forces.compress(VectorOperation::add);
+    return forces;
+  }
+};
+
+ImageForce::ImageForce(std::shared_ptr<const Metric> metric, MPI_Comm communicator)
+    : metric_(std::move(metric)), communicator_(communicator) {}
+
+WarpedPair ImageForce::combine(const SimilarityDomain& domain,
+                               const std::array<Samples, 2>& samples) const {
+  // Each voxel of a state belongs to one rank, so that sums put them together.
+  const std::size_t n = domain.grid.n_voxels();
+  std::vector<float> packed(4 * n, 0.f);
+  for (unsigned s = 0; s < 2; ++s)
+    for (std::size_t i = 0; i < samples[s].voxels.size(); ++i) {
+      const VoxelMap::Voxel& voxel = samples[s].voxels[i];
+      packed[2 * s * n + voxel.index] = samples[s].values[i];
+      packed[(2 * s + 1) * n + voxel.index] = voxel.beyond_boundary ? beyond_boundary : in_mesh;
+    }
+  for (unsigned part = 0; part < 4; ++part)
+    MPI_Allreduce(MPI_IN_PLACE, packed.data() + part * n, static_cast<int>(n), MPI_FLOAT, MPI_SUM,
+                  communicator_);
+
+  WarpedPair pair{domain.grid, {}, std::vector<std::uint8_t>(n, 0)};
+  for (unsigned s = 0; s < 2; ++s) {
+    pair.values[s].assign(n, domain.air);
+    for (std::size_t v = 0; v < n; ++v)
+      if (packed[(2 * s + 1) * n + v] > 0.f)
+        pair.values[s][v] = packed[2 * s * n + v];
+  }
+  for (std::size_t v = 0; v < n; ++v)
+    pair.in_domain[v] = counts(packed[n + v], packed[3 * n + v], domain.no_air[v]);
+  return pair;
+}
+
+SimilarityResult ImageForce::evaluate(const SimilarityDomain& domain,
+                                      const std::array<LoadedState, 2>& states) const {
+  const std::array<Samples, 2> samples{Samples(domain, states[prone]),
+                                       Samples(domain, states[supine])};
+  std::array<std::vector<float>, 2> derivatives;
+  SimilarityResult result;
+  result.value = metric_->evaluate(combine(domain, samples), derivatives);
+  for (unsigned s = 0; s < 2; ++s)
+    result.forces[s] = samples[s].forces(states[s], derivatives[s]);
+  return result;
+}
+
+WarpedPair ImageForce::warp(const SimilarityDomain& domain,
+                            const std::array<LoadedState, 2>& states) const {
+  return combine(domain, {Samples(domain, states[prone]), Samples(domain, states[supine])});
+}
+
+} // namespace prosup::similarity
