@@ -1,0 +1,20 @@
+#ifndef PROSUP_EVALUATION_LANDMARKS_CSV_H
+#define PROSUP_EVALUATION_LANDMARKS_CSV_H
+
+#include <filesystem>
+#include <vector>
+
+#include "prosup/evaluation/target_registration_error.h"
+
+namespace prosup::evaluation {
+
+/// Writes the landmarks of a result: id, prone, supine, unloaded_from_prone,
+/// unloaded_from_supine (x, y, z each; LPS mm) and tre_mm, the distance of the
+/// last two.
+/// @throws Error if a coordinate is not finite or the file cannot be written.
+void write_landmarks(const std::vector<MappedLandmark>& landmarks,
+                     const std::filesystem::path& file);
+
+} // namespace prosup::evaluation
+
+#endif

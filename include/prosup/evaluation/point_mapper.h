@@ -1,0 +1,60 @@
+#ifndef PROSUP_EVALUATION_POINT_MAPPER_H
+#define PROSUP_EVALUATION_POINT_MAPPER_H
+
+#include <memory>
+
+#include "prosup/mesh/tet_mesh.h"
+
+namespace prosup::evaluation {
+
+using dealii::Point;
+
+/// One of the two configurations of an UnloadedMesh.
+enum class State { loaded, unloaded };
+
+/// A point in the other configuration, and how far outside the mesh it was in
+/// its own (mm; 0 inside).
+struct MappedPoint {
+  Point<3> position;
+  double distance_outside;
+};
+
+/// Maps points between the loaded and the unloaded configuration of one breast.
+///
+/// In the mesh the map is that of the linear elements: the barycentric weights
+/// of the tetrahedron that holds the point are applied to its corners in the
+/// other configuration. Outside, a point p moves with the closest point c of
+/// the mesh surface, p + d(c), which continues the map without a jump.
+///
+/// Queries may be made from several threads at once.
+class PointMapper {
+public:
+  /// @throws Error if the mesh has no cells, if `unloaded` has another length
+  /// than the nodes, or if a coordinate is not finite.
+  explicit PointMapper(const mesh::UnloadedMesh& mesh);
+  ~PointMapper();
+  PointMapper(PointMapper&&) noexcept;
+  PointMapper& operator=(PointMapper&&) noexcept;
+
+  /// Maps a point given in the configuration `from` to the other one.
+  /// @throws Error if the point is not finite.
+  MappedPoint map(const Point<3>& point, State from) const;
+
+  Point<3> to_unloaded(const Point<3>& loaded) const { return map(loaded, State::loaded).position; }
+  Point<3> to_loaded(const Point<3>& unloaded) const {
+    return map(unloaded, State::unloaded).position;
+  }
+
+  /// Distance from a point to the mesh in configuration `state`, mm; 0 inside.
+  double distance_outside(const Point<3>& point, State state) const {
+    return map(point, state).distance_outside;
+  }
+
+private:
+  class Configuration;
+  std::unique_ptr<Configuration> loaded_, unloaded_;
+};
+
+} // namespace prosup::evaluation
+
+#endif

@@ -1,0 +1,80 @@
+#include "prosup/evaluation/landmarks.h"
+
+#include <gtest/gtest.h>
+
+#include "expect_error.h"
+#include "temporary_folder.h"
+#include "text_file.h"
+
+namespace prosup::evaluation {
+namespace {
+
+const std::string header = "id,prone_x,prone_y,prone_z,supine_x,supine_y,supine_z";
+
+TEST(Landmarks, AreReadWithUnloadedPosition) {
+  const testing::TemporaryFolder folder;
+  const auto landmarks = read_landmarks(
+      testing::text_file(folder / "l.csv", header + ",unloaded_x,unloaded_y,unloaded_z\n"
+                                                    "7,1,2,3,4,5,6,-7,-8e0,-9.5\n"));
+  ASSERT_EQ(landmarks.size(), 1u);
+  EXPECT_EQ(landmarks[0].id, "7");
+  EXPECT_EQ(landmarks[0].prone, Point<3>(1., 2., 3.));
+  EXPECT_EQ(landmarks[0].supine, Point<3>(4., 5., 6.));
+  EXPECT_EQ(landmarks[0].unloaded.value(), Point<3>(-7., -8., -9.5));
+}
+
+// A spreadsheet's file: byte order mark, carriage returns, spaces, another order
+// of columns, an extra column, blank lines.
+TEST(Landmarks, OrderAndTypographyAreFree) {
+  const testing::TemporaryFolder folder;
+  const auto landmarks = read_landmarks(testing::text_file(
+      folder / "l.csv",
+      "\xEF\xBB\xBFsupine_x,supine_y,supine_z, note ,prone_z,prone_y,prone_x,id\r\n\r\n"
+      "4,5,6,\"nipple, left\",3,2,+1, N \r\n"));
+  ASSERT_EQ(landmarks.size(), 1u);
+  EXPECT_EQ(landmarks[0].id, "N");
+  EXPECT_EQ(landmarks[0].prone, Point<3>(1., 2., 3.));
+  EXPECT_EQ(landmarks[0].supine, Point<3>(4., 5., 6.));
+  EXPECT_FALSE(landmarks[0].unloaded);
+}
+
+struct BadFile {
+  std::string text;
+  std::vector<std::string> message;
+};
+
+class BadLandmarks : public ::testing::TestWithParam<BadFile> {};
+
+TEST_P(BadLandmarks, AreRefusedWithFileAndLine) {
+  const testing::TemporaryFolder folder;
+  const auto file = testing::text_file(folder / "l.csv", GetParam().text);
+  auto parts = GetParam().message;
+  parts.push_back("l.csv");
+  testing::expect_error([&] { read_landmarks(file); }, parts);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, BadLandmarks,
+    ::testing::Values(
+        BadFile{"", {"no points"}}, BadFile{header + "\n", {"no points"}},
+        BadFile{"id,prone_x,prone_y,prone_z,supine_x,supine_y\na,1,2,3,4,5\n",
+                {"no column 'supine_z'", "id, prone_x"}},
+        BadFile{header + ",prone_x\na,1,2,3,4,5,6,7\n", {"line 1", "'prone_x' occurs twice"}},
+        BadFile{header + ",unloaded_x\na,1,2,3,4,5,6,7\n", {"no column 'unloaded_y'"}},
+        BadFile{header + "\na,1,2,3,4,5,6\n\nb,1,2,3,4,5\n", {"line 4", "6 values", "7 columns"}},
+        BadFile{header + "\na,1,2,3,4,5,6,7\n", {"line 2", "8 values"}},
+        BadFile{header + "\na,1,2,3mm,4,5,6\n", {"line 2", "'3mm'", "finite number in mm"}},
+        BadFile{header + "\na,1,,3,4,5,6\n", {"line 2", "''"}},
+        BadFile{header + "\na,1,nan,3,4,5,6\n", {"line 2", "'nan'"}},
+        BadFile{header + "\na,1,2,3,4,inf,6\n", {"line 2", "'inf'"}},
+        BadFile{header + "\na,1,2,3,4,+-5,6\n", {"line 2", "'+-5'"}},
+        BadFile{header + "\na,1,2,3,4,5,6\na,1,2,3,4,5,6\n", {"line 3", "'a' is used twice"}},
+        BadFile{header + "\n,1,2,3,4,5,6\n", {"line 2", "empty"}}));
+
+TEST(Landmarks, MissingFileIsNamed) {
+  testing::expect_error([] { read_landmarks("no/such/landmarks.csv"); },
+                        {"no/such/landmarks.csv", "cannot be read"});
+}
+
+} // namespace
+} // namespace prosup::evaluation
