@@ -15,5 +15,10 @@ function(prosup_add_module name)
   target_link_options(${target} PRIVATE LINKER:--no-undefined LINKER:--as-needed)
   set_target_properties(${target} PROPERTIES
     EXPORT_NAME ${name} VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
+  # The arrow of this module, "name: used...", for the test of the layers.
+  set(used ${arg_USES})
+  list(FILTER used INCLUDE REGEX "^prosup_")
+  string(REGEX REPLACE "prosup_|;" " " used "${used}")
+  set_property(GLOBAL APPEND PROPERTY PROSUP_ARROWS "${name}: ${used}")
   install(TARGETS ${target} EXPORT prosupTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 endfunction()

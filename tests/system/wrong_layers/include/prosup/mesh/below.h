@@ -1,0 +1,1 @@
+#include "prosup/image/looks_up.h"
