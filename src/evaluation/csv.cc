@@ -138,15 +138,6 @@ Point<3> Table::point(std::size_t row, const std::array<std::size_t, 3>& columns
   return p;
 }
 
-void write_text(const std::string& text, const std::filesystem::path& file) {
-  std::ofstream stream(file);
-  stream << text << std::flush;
-  if (!stream)
-    throw Error("The file '" + file.string() +
-                "' cannot be written; check that its folder exists, may be written to and has "
-                "space left.");
-}
-
 std::string coordinates(const Point<3>& p, const std::string& what) {
   if (!std::isfinite(p[0] + p[1] + p[2]))
     throw Error("The position of " + what +

@@ -70,9 +70,6 @@ private:
   std::vector<Row> rows_;
 };
 
-/// Writes `text` to `file`. @throws Error if that fails.
-void write_text(const std::string& text, const std::filesystem::path& file);
-
 /// "x,y,z" to 1e-6 mm. @throws Error that names `what` if a coordinate is not finite.
 std::string coordinates(const Point<3>& p, const std::string& what);
 

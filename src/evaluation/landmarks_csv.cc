@@ -2,6 +2,7 @@
 
 #include "csv.h"
 #include "prosup/core/log.h"
+#include "prosup/core/text_file.h"
 
 namespace prosup::evaluation {
 
@@ -19,7 +20,7 @@ void write_landmarks(const std::vector<MappedLandmark>& landmarks,
       text += "," + csv::coordinates(position, what);
     text += format(",%.6f\n", row.error());
   }
-  csv::write_text(text, file);
+  write_text_file(text, file);
 }
 
 } // namespace prosup::evaluation

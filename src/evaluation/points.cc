@@ -2,6 +2,7 @@
 
 #include "csv.h"
 #include "prosup/core/error.h"
+#include "prosup/core/text_file.h"
 #include "slicer_markups.h"
 
 namespace prosup::evaluation {
@@ -46,7 +47,7 @@ void write_points(const std::vector<NamedPoint>& points, const std::filesystem::
   for (const NamedPoint& point : points)
     text += csv::quoted(point.id) + "," +
             csv::coordinates(point.position, "point '" + point.id + "'") + "\n";
-  csv::write_text(text, file);
+  write_text_file(text, file);
 }
 
 } // namespace prosup::evaluation

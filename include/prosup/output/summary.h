@@ -1,0 +1,66 @@
+#ifndef PROSUP_OUTPUT_SUMMARY_H
+#define PROSUP_OUTPUT_SUMMARY_H
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "prosup/evaluation/target_registration_error.h"
+
+namespace prosup::output {
+
+/// Numbers of one breast state.
+struct StateSummary {
+  std::size_t n_cells = 0;
+  std::size_t n_nodes = 0;
+  double min_quality = 0.;
+  std::optional<double> min_jacobian; ///< smallest J = det F of a cell
+};
+
+/// One evaluation of the image similarity.
+struct SimilarityEntry {
+  std::string stage; ///< unloading, material or image_forces
+  double level_mm = 0.;
+  unsigned iteration = 0;
+  double ssd = 0.;
+};
+
+/// What `summary.json` holds of a run; what is not set is absent from it.
+struct Summary {
+  std::string command;
+  unsigned ranks = 1;
+  std::optional<StateSummary> prone, supine;
+  std::optional<std::size_t> steps; ///< explicit time steps of all stages
+  std::vector<SimilarityEntry> similarity;
+
+  std::optional<double> shear_modulus; ///< Pa
+  std::optional<double> lambda;        ///< Pa
+
+  struct Errors { ///< mm; absent without landmarks
+    std::optional<evaluation::ErrorStatistics> initial, unloaded, material, image_forces;
+  } tre;
+
+  struct Times { ///< s
+    std::optional<double> mesh, unloading, material, image_forces;
+    double total = 0.;
+  } time;
+
+  double peak_memory = 0.; ///< MiB
+  bool converged = false;
+  std::vector<std::string> warnings;
+};
+
+/// Writes a summary, with the version of this library, as JSON.
+/// @throws Error that names the entry if a number is not finite, in which case
+/// there is no file, or if the file cannot be written.
+void write_summary(const Summary& summary, const std::filesystem::path& file);
+
+/// The table of registration errors of a summary, rows in the order of the steps;
+/// empty without landmarks.
+std::string error_table(const Summary& summary);
+
+} // namespace prosup::output
+
+#endif

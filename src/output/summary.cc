@@ -1,0 +1,111 @@
+#include "prosup/output/summary.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "prosup/core/error.h"
+#include "prosup/core/text_file.h"
+#include "prosup/core/version.h"
+
+namespace prosup::output {
+
+namespace {
+
+// Keeps the entries in the order in which they are written below.
+using Json = nlohmann::ordered_json;
+
+template <class T>
+void set(Json& json, const char* name, const std::optional<T>& value) {
+  if (value)
+    json[name] = *value;
+}
+
+void set(Json& json, const char* name, const std::optional<evaluation::ErrorStatistics>& error) {
+  if (error)
+    json[name] = {{"mean", error->mean},
+                  {"std", error->std},
+                  {"max", error->max},
+                  {"p95", error->p95},
+                  {"n", error->n}};
+}
+
+void set_state(Json& json, const char* name, const std::optional<StateSummary>& state) {
+  if (!state)
+    return;
+  json["mesh"][name] = {
+      {"cells", state->n_cells}, {"nodes", state->n_nodes}, {"min_quality", state->min_quality}};
+  set(json["min_jacobian"], name, state->min_jacobian);
+}
+
+Json as_json(const SimilarityEntry& entry) {
+  return {{"stage", entry.stage},
+          {"level_mm", entry.level_mm},
+          {"iteration", entry.iteration},
+          {"ssd", entry.ssd}};
+}
+
+Json as_json(const Summary& summary) {
+  Json json;
+  json["version"] = version();
+  json["command"] = summary.command;
+  json["ranks"] = summary.ranks;
+  json["converged"] = summary.converged;
+  set_state(json, "prone", summary.prone);
+  set_state(json, "supine", summary.supine);
+  set(json, "steps", summary.steps);
+  set(json["material"], "shear_modulus", summary.shear_modulus);
+  set(json["material"], "lambda", summary.lambda);
+  set(json["tre"], "initial", summary.tre.initial);
+  set(json["tre"], "unloaded", summary.tre.unloaded);
+  set(json["tre"], "material", summary.tre.material);
+  set(json["tre"], "image_forces", summary.tre.image_forces);
+  set(json["time"], "mesh", summary.time.mesh);
+  set(json["time"], "unloading", summary.time.unloading);
+  set(json["time"], "material", summary.time.material);
+  set(json["time"], "image_forces", summary.time.image_forces);
+  json["time"]["total"] = summary.time.total;
+  json["peak_memory"] = summary.peak_memory;
+  json["warnings"] = summary.warnings;
+  for (const SimilarityEntry& entry : summary.similarity)
+    json["similarity"].push_back(as_json(entry));
+  for (const char* group : {"mesh", "min_jacobian", "material", "tre"})
+    if (json.contains(group) && json[group].is_null())
+      json.erase(group);
+  return json;
+}
+
+/// JSON has no numbers that are not finite; the library would write null.
+void require_finite(const Json& json, const std::string& name) {
+  if (json.is_number_float() && !std::isfinite(json.get<double>()))
+    throw Error("The entry '" + name +
+                "' of the summary is not a finite number and was not written; look at the log for "
+                "the stage that failed.");
+  if (!json.is_structured())
+    return;
+  for (const auto& [key, value] : json.items())
+    require_finite(value, name.empty() ? key : name + "." + key);
+}
+
+} // namespace
+
+void write_summary(const Summary& summary, const std::filesystem::path& file) {
+  const Json json = as_json(summary);
+  require_finite(json, "");
+  write_text_file(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n", file);
+}
+
+std::string error_table(const Summary& summary) {
+  namespace step = evaluation::step_name;
+  std::vector<evaluation::ErrorRow> rows;
+  const auto add = [&](const char* name, const auto& error) {
+    if (error)
+      rows.push_back({name, *error});
+  };
+  add(step::initial, summary.tre.initial);
+  add(step::unloaded, summary.tre.unloaded);
+  add(step::material, summary.tre.material);
+  add(step::image_forces, summary.tre.image_forces);
+  return rows.empty() ? std::string() : evaluation::error_table(rows);
+}
+
+} // namespace prosup::output

@@ -1,0 +1,83 @@
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkSmartPointer.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridReader.h>
+
+#include <cmath>
+
+#include "prosup/core/error.h"
+#include "prosup/output/vtu.h"
+#include "vtk_errors.h"
+
+namespace prosup::output {
+
+namespace {
+
+using dealii::Point;
+
+[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& why) {
+  throw Error("The mesh file '" + file.string() + "' " + why +
+              "; give the result folder of a registration that finished.");
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> read_grid(const std::filesystem::path& file) {
+  if (!std::filesystem::is_regular_file(file))
+    refuse(file, "does not exist");
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  vtkNew<VtkErrors> errors;
+  errors->listen_to(*reader);
+  reader->SetReaderErrorObserver(errors);
+  reader->SetParserErrorObserver(errors);
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  if (errors->any() || reader->GetOutput() == nullptr ||
+      reader->GetOutput()->GetNumberOfCells() == 0)
+    refuse(file, "is damaged or is no unstructured mesh");
+  return reader->GetOutput();
+}
+
+std::vector<Point<3>> points_of(vtkDataArray* array, vtkIdType n,
+                                const std::filesystem::path& file) {
+  if (array == nullptr || array->GetNumberOfComponents() != 3 || array->GetNumberOfTuples() != n)
+    refuse(file, "has no point data 'unloaded' with three components");
+  std::vector<Point<3>> points;
+  for (vtkIdType i = 0; i < n; ++i) {
+    Point<3> p;
+    for (unsigned d = 0; d < 3; ++d)
+      p[d] = array->GetComponent(i, static_cast<int>(d));
+    if (!std::isfinite(p[0] + p[1] + p[2]))
+      refuse(file, "has a node position that is not a finite number");
+    points.push_back(p);
+  }
+  return points;
+}
+
+} // namespace
+
+mesh::UnloadedMesh read_mesh(const std::filesystem::path& loaded_vtu) {
+  const auto grid = read_grid(loaded_vtu);
+  const vtkIdType n_points = grid->GetNumberOfPoints(), n_cells = grid->GetNumberOfCells();
+  mesh::UnloadedMesh result;
+  result.mesh.points = points_of(grid->GetPoints()->GetData(), n_points, loaded_vtu);
+  result.unloaded = points_of(grid->GetPointData()->GetArray("unloaded"), n_points, loaded_vtu);
+  vtkDataArray* tissue = grid->GetCellData()->GetArray("tissue");
+  if (tissue == nullptr || tissue->GetNumberOfComponents() != 1)
+    refuse(loaded_vtu, "has no cell data 'tissue'");
+  for (vtkIdType cell = 0; cell < n_cells; ++cell) {
+    vtkIdType n = 0;
+    const vtkIdType* corners = nullptr;
+    grid->GetCellPoints(cell, n, corners);
+    if (n != 4 || grid->GetCellType(cell) != VTK_TETRA)
+      refuse(loaded_vtu, "holds a cell that is no tetrahedron");
+    result.mesh.cells.push_back({});
+    for (unsigned a = 0; a < 4; ++a)
+      result.mesh.cells.back()[a] = static_cast<unsigned>(corners[a]);
+    result.mesh.tissue.push_back(static_cast<std::uint8_t>(tissue->GetComponent(cell, 0)));
+  }
+  return result;
+}
+
+} // namespace prosup::output
