@@ -1,0 +1,17 @@
+#ifndef PROSUP_MESH_CONTOUR_H
+#define PROSUP_MESH_CONTOUR_H
+
+#include "level_set.h"
+#include "triangle_mesh.h"
+
+namespace prosup::mesh {
+
+/// The closed surface of the largest part of {x in box: phi(x) < 0} without its
+/// cavities, phi being sampled on a grid of about `spacing_mm`. Where it is cut
+/// by the box it lies exactly in the faces of the box. Empty if no sample is
+/// inside.
+TriangleMesh contour(const LevelSet& phi, double spacing_mm);
+
+} // namespace prosup::mesh
+
+#endif

@@ -1,0 +1,23 @@
+#include "prosup/mesh/deformation.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace prosup::mesh {
+
+double jacobian(const UnloadedMesh& mesh, std::size_t cell) {
+  const auto& corners = mesh.mesh.cells[cell];
+  const auto volume = [&](const std::vector<Point<3>>& nodes) {
+    return tet_volume(nodes[corners[0]], nodes[corners[1]], nodes[corners[2]], nodes[corners[3]]);
+  };
+  return volume(mesh.mesh.points) / volume(mesh.unloaded);
+}
+
+double min_jacobian(const UnloadedMesh& mesh) {
+  double smallest = std::numeric_limits<double>::max();
+  for (std::size_t cell = 0; cell < mesh.mesh.cells.size(); ++cell)
+    smallest = std::min(smallest, jacobian(mesh, cell));
+  return smallest;
+}
+
+} // namespace prosup::mesh

@@ -1,0 +1,25 @@
+#ifndef PROSUP_MESH_LABELLING_H
+#define PROSUP_MESH_LABELLING_H
+
+#include "prosup/image/voxel_image.h"
+#include "prosup/mesh/tet_mesh.h"
+
+namespace prosup::mesh {
+
+// `labels` in the frame of the mesh.
+
+/// The label of each cell: the most frequent tissue label among sample points
+/// in the cell, or that of the tissue voxel nearest to its centroid.
+std::vector<std::uint8_t> sample_tissue(const TetMesh& mesh, const image::LabelImage& labels,
+                                        const std::vector<unsigned>& tissue_labels);
+
+/// The faces of one cell only, normals outwards: cut planes in the outer faces
+/// of the image, chest wall where the way outwards meets `chest_label` before
+/// another label, else skin.
+std::vector<BoundaryFace> find_boundary(const TetMesh& mesh, const image::LabelImage& labels,
+                                        const std::vector<unsigned>& tissue_labels,
+                                        unsigned chest_label);
+
+} // namespace prosup::mesh
+
+#endif

@@ -1,0 +1,116 @@
+#include "prosup/mesh/mask_mesher.h"
+
+#include <deal.II/base/patterns.h>
+
+#include <algorithm>
+
+#include "contour.h"
+#include "labelling.h"
+#include "prosup/core/error.h"
+#include "prosup/core/log.h"
+#include "prosup/image/filters.h"
+#include "surface_remesher.h"
+#include "volume_mesher.h"
+
+namespace prosup::mesh {
+
+using namespace dealii;
+
+namespace {
+
+/// Cells of the contour per wanted edge: fine enough to keep the shape, coarse
+/// enough to be quick.
+constexpr double contour_spacing = 0.6;
+
+std::string joined(const std::vector<unsigned>& labels) {
+  std::string result;
+  for (const unsigned label : labels)
+    result += (result.empty() ? "" : ", ") + std::to_string(label);
+  return result;
+}
+
+/// The same labels in the frame of the grid: axes along the coordinate axes,
+/// voxel 0 at the origin.
+image::LabelImage in_grid_frame(const image::LabelImage& labels) {
+  image::LabelImage result = labels;
+  result.grid = image::VoxelGrid();
+  result.grid.size = labels.grid.size;
+  result.grid.spacing = labels.grid.spacing;
+  return result;
+}
+
+image::LabelImage breast_mask(const image::LabelImage& labels,
+                              const std::vector<unsigned>& tissue_labels) {
+  const image::LabelImage tissue = image::select_labels(labels, tissue_labels);
+  if (std::find(tissue.values.begin(), tissue.values.end(), 1) == tissue.values.end())
+    throw Error("The label image has no voxel of the tissue labels " + joined(tissue_labels) +
+                "; give the labels it uses in \"Meshing/Tissue labels\".");
+  return image::fill_holes(image::largest_component(tissue));
+}
+
+/// The surface at the wanted edge length, its volume that of the mask: chords
+/// of a convex surface lie inside it, so the vertices move out a little.
+TriangleMesh smooth_surface(const LevelSet& phi, double edge_length) {
+  const TriangleMesh fine = contour(phi, contour_spacing * edge_length);
+  if (fine.triangles.empty())
+    return fine;
+  SurfaceRemesher remesher(fine, phi, edge_length);
+  remesher.run();
+  double level = 0.;
+  for (unsigned iteration = 0; iteration < 2; ++iteration) {
+    const TriangleMesh surface = remesher.result();
+    level += (phi.mask_volume() - enclosed_volume(surface)) / free_area(surface);
+    remesher.move_to_level(level);
+  }
+  return remesher.result();
+}
+
+/// Moves a mesh from the frame of the grid to physical space.
+void to_physical(TetMesh& mesh, const image::VoxelGrid& grid) {
+  for (Point<3>& x : mesh.points)
+    x = grid.origin + grid.direction * x;
+  if (determinant(grid.direction) > 0.)
+    return;
+  for (auto& cell : mesh.cells)
+    std::swap(cell[2], cell[3]);
+  for (BoundaryFace& face : mesh.boundary_faces)
+    std::swap(face.nodes[1], face.nodes[2]);
+}
+
+} // namespace
+
+MaskMesher::MaskMesher() : ParameterAcceptor("Meshing") {
+  add_parameter("Edge length", edge_length, "h, wanted edge length of the tetrahedra. Units: mm.",
+                prm, Patterns::Double(0.1, 100.));
+  add_parameter("Tissue labels", tissue_labels,
+                "Labels of the tissues that are meshed: fat and gland. Units: none.", prm,
+                Patterns::List(Patterns::Integer(1, 255), 1, 255));
+  add_parameter("Chest label", chest_label,
+                "Label of chest wall and muscle: where tissue borders on it the boundary is the "
+                "chest wall. Units: none.",
+                prm, Patterns::Integer(0, 255));
+  add_parameter("Smoothing", smoothing,
+                "sigma/s, standard deviation of the Gaussian that smooths the distance to the "
+                "mask, over the largest voxel spacing s; one removes the stairs of the voxels. "
+                "Units: none.",
+                prm, Patterns::Double(0., 10.));
+}
+
+TetMesh MaskMesher::run(const image::LabelImage& labels) const {
+  const image::LabelImage upright = in_grid_frame(labels);
+  const auto& spacing = labels.grid.spacing;
+  const LevelSet phi(breast_mask(upright, tissue_labels),
+                     smoothing * std::max({spacing[0], spacing[1], spacing[2]}));
+  const TriangleMesh surface = smooth_surface(phi, edge_length);
+  if (surface.triangles.empty() || enclosed_volume(surface) < 0.5 * phi.mask_volume())
+    throw Error(format("The breast mask (%.3g ml) is too small or too thin to be meshed with an "
+                       "edge length of %g mm; choose a smaller \"Meshing/Edge length\".",
+                       1e-3 * phi.mask_volume(), edge_length));
+  TetMesh mesh = fill_with_tets(surface, edge_length);
+  mesh.tissue = sample_tissue(mesh, upright, tissue_labels);
+  mesh.boundary_faces = find_boundary(mesh, upright, tissue_labels, chest_label);
+  to_physical(mesh, labels.grid);
+  return mesh;
+}
+
+} // namespace prosup::mesh

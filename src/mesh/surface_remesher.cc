@@ -1,0 +1,230 @@
+#include "surface_remesher.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace prosup::mesh {
+
+namespace {
+
+using Vector = dealii::Tensor<1, 3>;
+using Edge = SurfaceTopology::Edge;
+
+constexpr unsigned nobody = ~0u;
+constexpr unsigned on_free_surface = 1u << TriangleMesh::free_surface;
+
+Vector area_vector(const Point<3>& a, const Point<3>& b, const Point<3>& c) {
+  return 0.5 * cross_product_3d(b - a, c - a);
+}
+
+/// Area over that of the equilateral triangle on the longest side.
+double flatness(const Point<3>& a, const Point<3>& b, const Point<3>& c, double area) {
+  const double longest =
+      std::max({(b - a).norm_square(), (c - b).norm_square(), (a - c).norm_square()});
+  return longest > 0. ? area / (0.25 * std::sqrt(3.) * longest) : 0.;
+}
+
+/// Whether a triangle that had the area vector `before` is no sliver and still
+/// on the same side. Slivers, as a contour has many, have no reliable side.
+bool is_acceptable(const Vector& before, double flatness_before, const Point<3>& a,
+                   const Point<3>& b, const Point<3>& c) {
+  constexpr double sliver = 0.05;
+  const Vector after = area_vector(a, b, c);
+  const double area = after.norm();
+  if (flatness(a, b, c, area) < std::min(sliver, flatness_before))
+    return false;
+  return flatness_before < sliver || before * after > 0.5 * before.norm() * area;
+}
+
+} // namespace
+
+SurfaceRemesher::SurfaceRemesher(const TriangleMesh& surface, const LevelSet& phi,
+                                 double edge_length)
+    : topology_(surface), phi_(phi), edge_length_(edge_length) {}
+
+void SurfaceRemesher::run() {
+  constexpr unsigned n_passes = 6, n_final_passes = 4;
+  for (unsigned pass = 0; pass < n_passes; ++pass) {
+    split_long_edges();
+    collapse_short_edges();
+    flip_edges();
+    relax();
+  }
+  for (unsigned pass = 0; pass < n_final_passes; ++pass) {
+    flip_edges();
+    relax();
+  }
+}
+
+void SurfaceRemesher::move_to_level(double level) {
+  level_ = level;
+  for (unsigned v = 0; v < topology_.n_vertices(); ++v)
+    if (topology_.is_used(v)) {
+      const Point<3> target = projected(topology_.point(v), topology_.patches(v));
+      if (may_move(v, target, nobody))
+        topology_.move(v, target);
+    }
+}
+
+void SurfaceRemesher::split_long_edges() {
+  const double longest = 4. / 3. * edge_length_;
+  Edge edge;
+  for (const auto& [a, b] : topology_.edges())
+    if (topology_.length(a, b) > longest && topology_.find_edge(a, b, edge)) {
+      const Point<3> middle(0.5 * (topology_.point(a) + topology_.point(b)));
+      topology_.split(edge, projected(middle, topology_.patches(edge)));
+    }
+}
+
+void SurfaceRemesher::collapse_short_edges() {
+  const double shortest = 4. / 5. * edge_length_;
+  std::vector<std::pair<double, std::array<unsigned, 2>>> short_edges;
+  for (const auto& edge : topology_.edges())
+    if (const double length = topology_.length(edge[0], edge[1]); length < shortest)
+      short_edges.push_back({length, edge});
+  std::sort(short_edges.begin(), short_edges.end());
+  for (const auto& [length, edge] : short_edges)
+    if (topology_.is_used(edge[0]) && topology_.is_used(edge[1]) &&
+        topology_.length(edge[0], edge[1]) < shortest && !collapse(edge[0], edge[1]))
+      collapse(edge[1], edge[0]);
+}
+
+bool SurfaceRemesher::collapse(unsigned removed, unsigned kept) {
+  Edge edge;
+  if (!topology_.find_edge(removed, kept, edge))
+    return false;
+  // A vertex may leave along its crease only, and a corner not at all.
+  const unsigned around_removed = topology_.patches(removed);
+  const std::size_t n_creases = topology_.crease_neighbours(removed).size();
+  if (around_removed != topology_.patches(edge) || n_creases != (topology_.is_crease(edge) ? 2 : 0))
+    return false;
+  const std::vector<unsigned> others = topology_.neighbours(kept);
+  const std::vector<unsigned> moved = topology_.neighbours(removed);
+  const auto n_common = std::count_if(moved.begin(), moved.end(), [&](unsigned v) {
+    return std::find(others.begin(), others.end(), v) != others.end();
+  });
+  if (n_common != 2 || topology_.star(edge.left).size() <= 3 ||
+      topology_.star(edge.right).size() <= 3)
+    return false;
+  Point<3> target = topology_.point(kept);
+  if (around_removed == topology_.patches(kept) &&
+      topology_.crease_neighbours(kept).size() == n_creases)
+    target = projected(Point<3>(0.5 * (topology_.point(removed) + target)), around_removed);
+  const auto too_far = [&](unsigned v) {
+    return (topology_.point(v) - target).norm() > 4. / 3. * edge_length_;
+  };
+  if (std::any_of(moved.begin(), moved.end(), too_far) ||
+      std::any_of(others.begin(), others.end(), too_far) || !may_move(removed, target, kept) ||
+      !may_move(kept, target, removed))
+    return false;
+  topology_.collapse(edge, removed, kept);
+  topology_.move(kept, target);
+  return true;
+}
+
+void SurfaceRemesher::flip_edges() {
+  Edge edge;
+  for (const auto& [a, b] : topology_.edges())
+    if (topology_.find_edge(a, b, edge) && flip_helps(edge))
+      topology_.flip(edge);
+}
+
+bool SurfaceRemesher::flip_helps(const Edge& edge) const {
+  if (topology_.is_crease(edge))
+    return false;
+  const auto excess = [&](unsigned v, int change) {
+    const int deviation = int(topology_.star(v).size()) + change - 6;
+    return deviation * deviation;
+  };
+  const int before =
+      excess(edge.a, 0) + excess(edge.b, 0) + excess(edge.left, 0) + excess(edge.right, 0);
+  const int after =
+      excess(edge.a, -1) + excess(edge.b, -1) + excess(edge.left, 1) + excess(edge.right, 1);
+  Edge present;
+  const auto opposite = topology_.neighbours(edge.left);
+  if (after >= before || topology_.star(edge.a).size() <= 3 || topology_.star(edge.b).size() <= 3 ||
+      std::find(opposite.begin(), opposite.end(), edge.right) != opposite.end() ||
+      topology_.find_edge(edge.left, edge.right, present))
+    return false;
+  const Point<3>&a = topology_.point(edge.a), &b = topology_.point(edge.b),
+        &left = topology_.point(edge.left), &right = topology_.point(edge.right);
+  const Vector normal = area_vector(a, b, left) + area_vector(b, a, right);
+  return (left - right).norm() < 1.5 * edge_length_ && is_acceptable(normal, 1., a, right, left) &&
+         is_acceptable(normal, 1., right, b, left);
+}
+
+void SurfaceRemesher::relax() {
+  for (unsigned v = 0; v < topology_.n_vertices(); ++v)
+    if (topology_.is_used(v)) {
+      const Point<3> target = projected(relaxed_position(v), topology_.patches(v));
+      if (may_move(v, target, nobody))
+        topology_.move(v, target);
+    }
+}
+
+Point<3> SurfaceRemesher::relaxed_position(unsigned vertex) const {
+  const Point<3>& x = topology_.point(vertex);
+  const std::vector<unsigned> along = topology_.crease_neighbours(vertex);
+  if (along.size() == 2)
+    return Point<3>(0.5 * x + 0.25 * (topology_.point(along[0]) + topology_.point(along[1])));
+  if (!along.empty())
+    return x;
+  Vector centroid;
+  double area_sum = 0.;
+  for (const unsigned t : topology_.star(vertex)) {
+    const auto& [a, b, c] = topology_.triangle(t);
+    const Point<3>&p = topology_.point(a), &q = topology_.point(b), &r = topology_.point(c);
+    const double area = area_vector(p, q, r).norm();
+    centroid += area / 3. * (p + q + r);
+    area_sum += area;
+  }
+  return area_sum > 0. ? Point<3>(centroid / area_sum) : x;
+}
+
+bool SurfaceRemesher::may_move(unsigned vertex, const Point<3>& target, unsigned except) const {
+  for (const unsigned t : topology_.star(vertex)) {
+    const auto& corners = topology_.triangle(t);
+    if (std::find(corners.begin(), corners.end(), except) != corners.end())
+      continue;
+    std::array<Point<3>, 3> after;
+    for (unsigned i = 0; i < 3; ++i)
+      after[i] = corners[i] == vertex ? target : topology_.point(corners[i]);
+    const Point<3>&p = topology_.point(corners[0]), &q = topology_.point(corners[1]),
+          &r = topology_.point(corners[2]);
+    const Vector before = area_vector(p, q, r);
+    if (!is_acceptable(before, flatness(p, q, r, before.norm()), after[0], after[1], after[2]))
+      return false;
+  }
+  return true;
+}
+
+Point<3> SurfaceRemesher::projected(const Point<3>& x, unsigned patches) const {
+  Point<3> result = x;
+  bool fixed[3] = {false, false, false};
+  for (unsigned p = 0; p < TriangleMesh::free_surface; ++p)
+    if (patches & 1u << p) {
+      fixed[p / 2] = true;
+      result[p / 2] = phi_.box()[p % 2][p / 2];
+    }
+  if (!(patches & on_free_surface))
+    return result;
+  const double farthest = 0.5 * edge_length_, tolerance = 1e-3 * edge_length_;
+  for (unsigned iteration = 0; iteration < 10; ++iteration) {
+    Vector gradient;
+    const double distance = phi_.value_and_gradient(result, gradient) - level_;
+    if (std::abs(distance) < tolerance)
+      return result;
+    for (unsigned d = 0; d < 3; ++d)
+      if (fixed[d])
+        gradient[d] = 0.;
+    // Flatter than this, the level set is not near in the directions left.
+    if (gradient.norm_square() < 0.04)
+      break;
+    result -= distance / gradient.norm_square() * gradient;
+    if ((result - x).norm() > farthest)
+      break;
+  }
+  return x;
+}
+
+} // namespace prosup::mesh

@@ -1,0 +1,52 @@
+#ifndef PROSUP_MESH_SURFACE_REMESHER_H
+#define PROSUP_MESH_SURFACE_REMESHER_H
+
+#include "level_set.h"
+#include "surface_topology.h"
+#include "triangle_mesh.h"
+
+namespace prosup::mesh {
+
+/// Makes the triangles of a contour nearly equilateral, by splits, collapses and
+/// flips of edges and relaxation of vertices along the surface (Botsch and
+/// Kobbelt, A remeshing approach to multiresolution modeling, 2004). Vertices
+/// stay on phi = level, on the faces of the box, or on the curves in which these
+/// meet.
+class SurfaceRemesher {
+public:
+  SurfaceRemesher(const TriangleMesh& surface, const LevelSet& phi, double edge_length);
+
+  /// Remeshes until the edges have about the wanted length.
+  void run();
+
+  /// Moves the free surface to phi = level without changing the connections.
+  void move_to_level(double level);
+
+  TriangleMesh result() const { return topology_.compressed(); }
+
+private:
+  void split_long_edges();
+  void collapse_short_edges();
+  void flip_edges();
+  void relax();
+
+  bool collapse(unsigned removed, unsigned kept);
+  bool flip_helps(const SurfaceTopology::Edge& edge) const;
+  Point<3> relaxed_position(unsigned vertex) const;
+
+  /// Whether the triangles around `vertex`, but those that hold `except`, keep
+  /// their orientation and some area when it moves to `target`.
+  bool may_move(unsigned vertex, const Point<3>& target, unsigned except) const;
+
+  /// The nearest point of all patches in the set `patches`, or `x` if none is near.
+  Point<3> projected(const Point<3>& x, unsigned patches) const;
+
+  SurfaceTopology topology_;
+  const LevelSet& phi_;
+  double edge_length_;
+  double level_ = 0.;
+};
+
+} // namespace prosup::mesh
+
+#endif

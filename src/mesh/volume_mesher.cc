@@ -1,0 +1,103 @@
+#include "volume_mesher.h"
+
+#include <gmsh.h>
+
+#include <numeric>
+#include <string>
+
+#include "gmsh_session.h"
+#include "prosup/core/error.h"
+#include "prosup/core/log.h"
+
+namespace prosup::mesh {
+
+namespace {
+
+constexpr int gmsh_triangle = 2, gmsh_tetrahedron = 4;
+
+void add_surface(const TriangleMesh& surface) {
+  std::vector<std::size_t> node_tags(surface.points.size());
+  std::iota(node_tags.begin(), node_tags.end(), 1);
+  std::vector<double> coordinates;
+  for (const Point<3>& x : surface.points)
+    coordinates.insert(coordinates.end(), {x[0], x[1], x[2]});
+  std::vector<std::size_t> corners;
+  for (const auto& triangle : surface.triangles)
+    for (const unsigned node : triangle)
+      corners.push_back(node + 1);
+  gmsh::model::addDiscreteEntity(2, 1);
+  gmsh::model::mesh::addNodes(2, 1, node_tags, coordinates);
+  gmsh::model::mesh::addElementsByType(1, gmsh_triangle, {}, corners);
+  gmsh::model::geo::addSurfaceLoop({1}, 1);
+  gmsh::model::geo::addVolume({1}, 1);
+  gmsh::model::geo::synchronize();
+}
+
+void set_options(GmshSession& session, double edge_length) {
+  session.set_option("General.NumThreads", 1.);
+  session.set_option("Mesh.RandomSeed", 1.);
+  session.set_option("Mesh.Algorithm3D", 1.); // Delaunay
+  session.set_option("Mesh.MeshSizeMin", 0.);
+  session.set_option("Mesh.MeshSizeMax", edge_length);
+  session.set_option("Mesh.MeshSizeFactor", 1.);
+  session.set_option("Mesh.MeshSizeExtendFromBoundary", 1.);
+  session.set_option("Mesh.MeshSizeFromPoints", 0.);
+  session.set_option("Mesh.MeshSizeFromCurvature", 0.);
+  session.set_option("Mesh.ElementOrder", 1.);
+  session.set_option("Mesh.Optimize", 0.);
+  session.set_option("Mesh.OptimizeThreshold", 0.4);
+}
+
+/// The volume mesh of the current model; nodes are numbered from the tags.
+TetMesh extract() {
+  std::vector<std::size_t> tags, cell_tags, corners;
+  std::vector<double> coordinates, parameters;
+  gmsh::model::mesh::getNodes(tags, coordinates, parameters, -1, -1, false, false);
+  std::size_t largest_tag = 0;
+  for (const std::size_t tag : tags)
+    largest_tag = std::max(largest_tag, tag);
+  TetMesh mesh;
+  mesh.points.resize(largest_tag);
+  for (std::size_t i = 0; i < tags.size(); ++i)
+    mesh.points[tags[i] - 1] =
+        Point<3>(coordinates[3 * i], coordinates[3 * i + 1], coordinates[3 * i + 2]);
+  gmsh::model::mesh::getElementsByType(gmsh_tetrahedron, cell_tags, corners);
+  for (std::size_t c = 0; c < corners.size(); c += 4) {
+    std::array<unsigned, 4> cell;
+    for (unsigned a = 0; a < 4; ++a)
+      cell[a] = unsigned(corners[c + a] - 1);
+    const auto& x = mesh.points;
+    if (tet_volume(x[cell[0]], x[cell[1]], x[cell[2]], x[cell[3]]) < 0.)
+      std::swap(cell[2], cell[3]);
+    mesh.cells.push_back(cell);
+  }
+  return mesh;
+}
+
+} // namespace
+
+TetMesh fill_with_tets(const TriangleMesh& surface, double edge_length) {
+  GmshSession session("prosup mask mesh");
+  set_options(session, edge_length);
+  TetMesh mesh;
+  bool failed = false;
+  try {
+    add_surface(surface);
+    gmsh::model::mesh::generate(3);
+    gmsh::model::mesh::optimize("");
+    for (unsigned pass = 0; pass < 3; ++pass)
+      gmsh::model::mesh::optimize("Relocate3D");
+    gmsh::model::mesh::optimize("");
+    mesh = extract();
+  } catch (...) {
+    // gmsh 4.8 throws integers, later versions strings.
+    failed = true;
+  }
+  if (failed || mesh.cells.empty())
+    throw Error(format("gmsh could not fill the breast surface with tetrahedra of edge length "
+                       "%g mm; try a smaller edge length, or mend thin parts of the mask.",
+                       edge_length));
+  return mesh;
+}
+
+} // namespace prosup::mesh
