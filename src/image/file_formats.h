@@ -1,0 +1,43 @@
+#ifndef PROSUP_SRC_IMAGE_FILE_FORMATS_H
+#define PROSUP_SRC_IMAGE_FILE_FORMATS_H
+
+#include <itkImageIOBase.h>
+
+#include <filesystem>
+#include <string>
+
+namespace prosup::image {
+
+// Readers and writers are made by hand rather than through ITK's factories,
+// which are shared by the whole process and belong to the host program.
+
+/// The reader whose format `file` has.
+/// @throws Error if the file is missing or of no known format.
+itk::ImageIOBase::Pointer format_for_reading(const std::filesystem::path& file);
+
+/// The writer for the ending of the file name.
+/// @throws Error if the ending is unknown or the folder does not exist.
+itk::ImageIOBase::Pointer format_for_writing(const std::filesystem::path& file);
+
+/// @throws Error if `io` is NIfTI, whose vector fields mean different things
+/// to different tools.
+void refuse_nifti_vectors(const itk::ImageIOBase& io, const std::filesystem::path& file);
+
+/// A message of ITK as one line, without its preamble and final stop.
+std::string one_line(const std::string& text);
+
+/// Silences ITK's warnings while it lives.
+class QuietItk {
+public:
+  QuietItk();
+  ~QuietItk();
+  QuietItk(const QuietItk&) = delete;
+  QuietItk& operator=(const QuietItk&) = delete;
+
+private:
+  bool before_;
+};
+
+} // namespace prosup::image
+
+#endif

@@ -1,0 +1,43 @@
+#include "itk_bridge.h"
+
+#include <deal.II/base/symmetric_tensor.h>
+
+#include <stdexcept>
+
+namespace prosup::image {
+
+void set_geometry(itk::ImageBase<3>& image, const VoxelGrid& grid) {
+  itk::ImageBase<3>::PointType origin;
+  itk::ImageBase<3>::SpacingType spacing;
+  itk::ImageBase<3>::DirectionType direction;
+  for (unsigned d = 0; d < 3; ++d) {
+    origin[d] = grid.origin[d];
+    spacing[d] = grid.spacing[d];
+    for (unsigned e = 0; e < 3; ++e)
+      direction(d, e) = grid.direction[d][e];
+  }
+  image.SetOrigin(origin);
+  image.SetSpacing(spacing);
+  image.SetDirection(direction);
+}
+
+VoxelGrid geometry(const itk::ImageBase<3>& image) {
+  constexpr double tolerance = 1e-3;
+  VoxelGrid grid;
+  for (unsigned d = 0; d < 3; ++d) {
+    grid.size[d] = image.GetLargestPossibleRegion().GetSize(d);
+    grid.origin[d] = image.GetOrigin()[d];
+    grid.spacing[d] = image.GetSpacing()[d];
+    for (unsigned e = 0; e < 3; ++e)
+      grid.direction[d][e] = image.GetDirection()(d, e);
+  }
+  const auto deviation =
+      (transpose(grid.direction) * grid.direction - dealii::unit_symmetric_tensor<3>()).norm();
+  if (!(deviation <= tolerance))
+    throw std::domain_error("axes are not at right angles");
+  if (deviation > 1e-14)
+    grid.direction = dealii::project_onto_orthogonal_tensors(grid.direction);
+  return grid;
+}
+
+} // namespace prosup::image

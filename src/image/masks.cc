@@ -1,0 +1,81 @@
+#include <itkConnectedComponentImageFilter.h>
+
+#include <algorithm>
+#include <array>
+
+#include "itk_bridge.h"
+#include "prosup/image/filters.h"
+
+namespace prosup::image {
+
+namespace {
+
+using ComponentImage = VoxelImage<std::uint32_t>;
+
+/// Numbers the connected parts of a mask from 1; 0 is outside.
+ComponentImage connected_components(const LabelImage& mask) {
+  using Filter =
+      itk::ConnectedComponentImageFilter<ItkImage<std::uint8_t>, ItkImage<std::uint32_t>>;
+  const auto view = as_itk(mask);
+  auto filter = Filter::New();
+  filter->SetInput(view);
+  filter->Update();
+  return from_itk<std::uint32_t>(*filter->GetOutput(), mask.grid);
+}
+
+std::uint32_t n_components(const ComponentImage& components) {
+  return components.values.empty()
+             ? 0
+             : *std::max_element(components.values.begin(), components.values.end());
+}
+
+/// Tells for each component whether it reaches the border of the image.
+std::vector<bool> reaches_border(const ComponentImage& components) {
+  std::vector<bool> reaches(n_components(components) + 1, false);
+  const auto& size = components.grid.size;
+  const auto on_border = [&](std::size_t i, unsigned d) { return i == 0 || i + 1 == size[d]; };
+  for (std::size_t k = 0; k < size[2]; ++k)
+    for (std::size_t j = 0; j < size[1]; ++j)
+      for (std::size_t i = 0; i < size[0]; ++i)
+        if (on_border(i, 0) || on_border(j, 1) || on_border(k, 2))
+          reaches[components(i, j, k)] = true;
+  return reaches;
+}
+
+} // namespace
+
+LabelImage select_labels(const LabelImage& image, const std::vector<unsigned>& labels) {
+  std::array<std::uint8_t, 256> selected{};
+  for (const unsigned label : labels)
+    if (label < selected.size())
+      selected[label] = 1;
+  LabelImage mask(image.grid);
+  std::transform(image.values.begin(), image.values.end(), mask.values.begin(),
+                 [&](std::uint8_t label) { return selected[label]; });
+  return mask;
+}
+
+LabelImage largest_component(const LabelImage& mask) {
+  const ComponentImage components = connected_components(mask);
+  std::vector<std::size_t> n_voxels(n_components(components) + 1, 0);
+  for (const std::uint32_t component : components.values)
+    ++n_voxels[component];
+  LabelImage result(mask.grid);
+  if (n_voxels.size() == 1)
+    return result;
+  const auto largest = std::max_element(n_voxels.begin() + 1, n_voxels.end()) - n_voxels.begin();
+  std::transform(components.values.begin(), components.values.end(), result.values.begin(),
+                 [&](std::uint32_t component) { return component == largest ? 1 : 0; });
+  return result;
+}
+
+LabelImage fill_holes(const LabelImage& mask) {
+  const ComponentImage components = connected_components(select_labels(mask, {0}));
+  const std::vector<bool> open = reaches_border(components);
+  LabelImage result(mask.grid);
+  std::transform(components.values.begin(), components.values.end(), result.values.begin(),
+                 [&](std::uint32_t component) { return component == 0 || !open[component]; });
+  return result;
+}
+
+} // namespace prosup::image

@@ -1,0 +1,71 @@
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "prosup/image/filters.h"
+#include "test_grids.h"
+
+namespace prosup::image {
+namespace {
+
+std::size_t n_inside(const LabelImage& mask) {
+  return std::size_t(std::count(mask.values.begin(), mask.values.end(), 1));
+}
+
+/// Sets a box of voxels, first to last inclusive.
+void set_box(LabelImage& mask, std::array<std::size_t, 3> first, std::array<std::size_t, 3> last,
+             std::uint8_t value) {
+  for (std::size_t k = first[2]; k <= last[2]; ++k)
+    for (std::size_t j = first[1]; j <= last[1]; ++j)
+      for (std::size_t i = first[0]; i <= last[0]; ++i)
+        mask(i, j, k) = value;
+}
+
+TEST(SelectLabels, GivesOneWhereALabelIsListed) {
+  LabelImage labels(cube_grid(2));
+  labels.values = {0, 1, 2, 3, 2, 255, 0, 1};
+  EXPECT_EQ(select_labels(labels, {2, 255}).values,
+            (std::vector<std::uint8_t>{0, 0, 1, 0, 1, 1, 0, 0}));
+  EXPECT_EQ(n_inside(select_labels(labels, {0, 1000})), 2u);
+  EXPECT_EQ(n_inside(select_labels(labels, {})), 0u);
+}
+
+TEST(LargestComponent, KeepsTheLargestFaceConnectedPart) {
+  LabelImage mask(cube_grid(10));
+  set_box(mask, {1, 1, 1}, {3, 3, 3}, 9); // 27 voxels
+  set_box(mask, {4, 4, 4}, {7, 7, 5}, 4); // 32 voxels, touch the others at a corner only
+  set_box(mask, {9, 9, 9}, {9, 9, 9}, 9);
+  const LabelImage largest = largest_component(mask);
+  EXPECT_EQ(n_inside(largest), 32u);
+  EXPECT_EQ(largest(5, 5, 5), 1);
+  EXPECT_EQ(largest(2, 2, 2), 0);
+}
+
+TEST(LargestComponent, LeavesAnEmptyMaskEmpty) {
+  EXPECT_EQ(n_inside(largest_component(LabelImage(cube_grid(3)))), 0u);
+}
+
+TEST(FillHoles, FillsCavitiesButNoHollowThatReachesTheBorder) {
+  LabelImage mask(cube_grid(12));
+  set_box(mask, {1, 1, 0}, {10, 10, 9}, 1);
+  const std::size_t full = n_inside(mask);
+  set_box(mask, {3, 3, 3}, {4, 4, 4}, 0);  // a cavity
+  set_box(mask, {5, 5, 5}, {5, 5, 5}, 0);  // another, joined to it by a corner only
+  set_box(mask, {7, 7, 6}, {8, 8, 11}, 0); // a well open to the top
+  set_box(mask, {8, 2, 0}, {8, 2, 2}, 0);  // a well open to the image border
+  const LabelImage filled = fill_holes(mask);
+  EXPECT_EQ(n_inside(filled), full - 4 * 4 - 3);
+  EXPECT_EQ(filled(3, 4, 3), 1);
+  EXPECT_EQ(filled(5, 5, 5), 1);
+  EXPECT_EQ(filled(7, 8, 6), 0);
+  EXPECT_EQ(filled(8, 2, 1), 0);
+  EXPECT_EQ(filled(0, 0, 0), 0);
+}
+
+TEST(FillHoles, KeepsFullAndEmptyMasks) {
+  EXPECT_EQ(n_inside(fill_holes(LabelImage(cube_grid(3), 5))), 27u);
+  EXPECT_EQ(n_inside(fill_holes(LabelImage(cube_grid(3)))), 0u);
+}
+
+} // namespace
+} // namespace prosup::image
