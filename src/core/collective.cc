@@ -1,10 +1,7 @@
 #include "prosup/core/collective.h"
 
 #include <exception>
-#include <limits>
 #include <string>
-
-#include "prosup/core/error.h"
 
 namespace prosup {
 

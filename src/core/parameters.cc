@@ -44,8 +44,7 @@ void apply(ParameterHandler& parameters, const Override& override) {
   if (equals == std::string::npos)
     throw Error("The override '" + override + "' has no '='; write --set \"Section/Entry=value\".");
   const std::string value = Utilities::trim(override.substr(equals + 1));
-  std::vector<std::string> path =
-      Utilities::split_string_list(override.substr(0, equals), '/');
+  std::vector<std::string> path = Utilities::split_string_list(override.substr(0, equals), '/');
   const std::string entry = path.empty() ? "" : path.back();
   if (!path.empty())
     path.pop_back();

@@ -38,8 +38,9 @@ void reorder(std::vector<T>& values, const std::vector<unsigned>& order) {
 Body::Body(const Triangulation<3>& triangulation)
     : communicator_(triangulation.get_communicator()) {
   if (!triangulation.all_reference_cells_are_simplex())
-    throw Error("The mesh of a body has cells that are no tetrahedra; only tetrahedral meshes are "
-                "allowed, so convert the others (GridGenerator::convert_hypercube_to_simplex_mesh).");
+    throw Error(
+        "The mesh of a body has cells that are no tetrahedra; only tetrahedral meshes are "
+        "allowed, so convert the others (GridGenerator::convert_hypercube_to_simplex_mesh).");
   n_global_cells_ = triangulation.n_global_active_cells();
   number_nodes(triangulation);
   sort_cells();
@@ -54,8 +55,8 @@ void Body::number_nodes(const Triangulation<3>& triangulation) {
   IndexSet active;
   DoFTools::extract_locally_active_dofs(nodes, active);
   const IndexSet owned = three_per_node(nodes.locally_owned_dofs());
-  partitioner_ = std::make_shared<Utilities::MPI::Partitioner>(owned, three_per_node(active),
-                                                               communicator_);
+  partitioner_ =
+      std::make_shared<Utilities::MPI::Partitioner>(owned, three_per_node(active), communicator_);
   n_global_nodes_ = nodes.n_dofs();
   n_owned_nodes_ = nodes.n_locally_owned_dofs();
   n_local_nodes_ = n_owned_nodes_ + partitioner_->n_ghost_indices() / 3;
@@ -98,7 +99,9 @@ void Body::sort_cells() {
   reorder(cell_ids_, order);
 }
 
-void Body::initialize(NodeVector& vector) const { vector.reinit(partitioner_); }
+void Body::initialize(NodeVector& vector) const {
+  vector.reinit(partitioner_);
+}
 
 std::vector<bool> Body::nodes_on_boundary(const std::set<types::boundary_id>& ids) const {
   NodeVector marks;

@@ -46,9 +46,8 @@ StableMass stable_mass(const Body& body, const InternalForce& internal_force,
       n_scaled += node < body.n_owned_nodes();
     }
   }
-  result.scaled_fraction =
-      static_cast<double>(Utilities::MPI::sum(n_scaled, body.communicator())) /
-      body.n_global_nodes();
+  result.scaled_fraction = static_cast<double>(Utilities::MPI::sum(n_scaled, body.communicator())) /
+                           body.n_global_nodes();
   return result;
 }
 

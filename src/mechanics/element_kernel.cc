@@ -3,7 +3,8 @@
 #include <math.h>
 
 // Several instruction sets in one binary, chosen when the program is loaded.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) &&                             \
+    !defined(__SANITIZE_ADDRESS__)
 #define PROSUP_MULTIVERSION                                                                        \
   __attribute__((target_clones("arch=skylake-avx512", "arch=haswell", "default")))
 #else
@@ -63,23 +64,28 @@ inline __attribute__((always_inline)) void logarithm(const Lanes x, Lanes result
     exponent -= 4503599627370496. + 1023.;
     const double s = (m - 1.) / (m + 1.), s2 = s * s;
     const double series =
-        1. + s2 * (1. / 3 + s2 * (1. / 5 + s2 * (1. / 7 + s2 * (1. / 9 + s2 * (1. / 11 +
-        s2 * (1. / 13 + s2 * (1. / 15 + s2 * (1. / 17 + s2 * (1. / 19)))))))));
+        1. +
+        s2 * (1. / 3 +
+              s2 * (1. / 5 +
+                    s2 * (1. / 7 +
+                          s2 * (1. / 9 +
+                                s2 * (1. / 11 +
+                                      s2 * (1. / 13 +
+                                            s2 * (1. / 15 + s2 * (1. / 17 + s2 * (1. / 19)))))))));
     result[l] = exponent * 0.6931471805599453 + 2. * s * series;
   }
 }
 
-inline __attribute__((always_inline)) void deformation_gradient(const Batch& batch,
-                                                                const double* displacement,
-                                                                Matrix F) {
+inline __attribute__((always_inline)) void
+deformation_gradient(const Batch& batch, const double* displacement, Matrix F) {
   Matrix edges;
   gather_edges(batch, displacement, edges);
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
       LANES(l)
-      F[i][j][l] = (i == j ? 1. : 0.) + edges[i][0][l] * batch.inverse_edges[0][j][l] +
-                   edges[i][1][l] * batch.inverse_edges[1][j][l] +
-                   edges[i][2][l] * batch.inverse_edges[2][j][l];
+  F[i][j][l] = (i == j ? 1. : 0.) + edges[i][0][l] * batch.inverse_edges[0][j][l] +
+               edges[i][1][l] * batch.inverse_edges[1][j][l] +
+               edges[i][2][l] * batch.inverse_edges[2][j][l];
 }
 
 } // namespace
@@ -129,12 +135,12 @@ double subtract_neo_hookean(const Batch* batches, size_t n_batches, const double
       Lanes P[3];
       for (int j = 0; j < 3; ++j)
         LANES(l)
-        P[j][l] = batch.volume[l] * (batch.mu[l] * F[c][j][l] + pressure[l] * cof[c][j][l]);
+      P[j][l] = batch.volume[l] * (batch.mu[l] * F[c][j][l] + pressure[l] * cof[c][j][l]);
       for (int b = 0; b < 3; ++b)
         LANES(l)
-        nodal[b + 1][c][l] = P[0][l] * batch.inverse_edges[b][0][l] +
-                             P[1][l] * batch.inverse_edges[b][1][l] +
-                             P[2][l] * batch.inverse_edges[b][2][l];
+      nodal[b + 1][c][l] = P[0][l] * batch.inverse_edges[b][0][l] +
+                           P[1][l] * batch.inverse_edges[b][1][l] +
+                           P[2][l] * batch.inverse_edges[b][2][l];
       LANES(l) nodal[0][c][l] = -(nodal[1][c][l] + nodal[2][c][l] + nodal[3][c][l]);
     }
     LANES(l)

@@ -33,12 +33,12 @@ double set_reference(Batch* batches, std::size_t n_batches, std::size_t n_cells,
 /// material, P = mu F + (lambda ln J - mu) F^-T, from `force`; returns the
 /// smallest J. Where J <= 0 the force is computed at a tiny positive J: the
 /// caller has to look at the value returned.
-double subtract_neo_hookean(const Batch* batches, std::size_t n_batches,
-                            const double* displacement, double* force);
+double subtract_neo_hookean(const Batch* batches, std::size_t n_batches, const double* displacement,
+                            double* force);
 
 /// The first cell whose J is not above `bound`; n_cells if there is none.
-std::size_t find_cell_below(const Batch* batches, std::size_t n_cells,
-                            const double* displacement, double bound);
+std::size_t find_cell_below(const Batch* batches, std::size_t n_cells, const double* displacement,
+                            double bound);
 
 } // namespace prosup::mechanics::kernel
 

@@ -126,28 +126,28 @@ std::vector<double> InternalForce::stiffness_bound(const NodeVector& displacemen
   for (std::size_t cell = 0; cell < bound.size(); ++cell) {
     const kernel::Batch& batch = batches_->data[cell / n_lanes];
     const std::size_t lane = cell % n_lanes;
-    bound[cell] = std::abs(batch.volume[lane]) *
-                  tangent_bound(inverse_edges(batch, lane),
-                                deformation_gradient(batch, lane, displacement), batch.mu[lane],
-                                batch.lambda[lane]);
+    bound[cell] =
+        std::abs(batch.volume[lane]) *
+        tangent_bound(inverse_edges(batch, lane), deformation_gradient(batch, lane, displacement),
+                      batch.mu[lane], batch.lambda[lane]);
   }
   return sum_to_nodes(bound);
 }
 
-std::string InternalForce::describe_worst_cell(const NodeVector& reference,
-                                               const NodeVector& displacement,
-                                               double bound) const {
+std::string InternalForce::describe_worst_cell(const NodeVector& positions,
+                                               const NodeVector& displacement, double bound) const {
   const std::size_t cell = kernel::find_cell_below(batches_->data.data(), batches_->n_cells,
                                                    displacement.begin(), bound);
   if (cell == batches_->n_cells)
     return {};
   Tensor<1, 3> centre;
   for (const unsigned node : body_.cells()[cell])
-    centre += 0.25 * node_value(reference, node);
+    centre += 0.25 * node_value(positions, node);
   const double J = determinant(
       deformation_gradient(batches_->data[cell / n_lanes], cell % n_lanes, displacement));
-  return format("cell %u near (%.1f, %.1f, %.1f) mm with J = %.3g", body_.cell_ids()[cell],
-                centre[0], centre[1], centre[2], J);
+  const std::string place = format("cell %u near (%.1f, %.1f, %.1f) mm", body_.cell_ids()[cell],
+                                   centre[0], centre[1], centre[2]);
+  return std::abs(J) < 10. ? place + format(" with J = %.3g", J) : place;
 }
 
 } // namespace prosup::mechanics

@@ -15,7 +15,8 @@ double checked_determinant(const Tensor<2, 3>& F) {
   const double J = determinant(F);
   if (!(J > 0.))
     throw DivergenceError(format("The deformation gradient has det F = %g; only positive values "
-                                 "are allowed, so reduce the load or stiffen the material.", J));
+                                 "are allowed, so reduce the load or stiffen the material.",
+                                 J));
   return J;
 }
 
@@ -41,24 +42,28 @@ const std::vector<std::string>& material_names() {
   return names;
 }
 
-TissueMaterial::TissueMaterial() : ParameterAcceptor("Material"), model_(material_names().front()) {
-  add_parameter("Model", model_,
-                "Hyperelastic law of all tissues. Allowed: neo-Hookean (paper eq. 2).", prm,
-                Patterns::Selection(Patterns::Tools::Convert<std::vector<std::string>>::to_string(
-                                        material_names())));
-  add_parameter("Shear modulus", shear_modulus_,
-                "mu, the shear modulus to start with, common to all tissues and changed by the "
-                "material update. Units: Pa. The default is the paper's generic material "
-                "(E = 1 kPa, nu = 0.4).",
-                prm, Patterns::Double(1e-3, 1e9));
-  add_parameter("Poisson ratio", poisson_ratio_,
-                "nu, Poisson's ratio of all tissues; lambda = 2 mu nu / (1 - 2 nu). Units: none. "
-                "The default is the paper's generic material. Linear tetrahedra lock towards 0.5.",
-                prm, Patterns::Double(0., 0.4999));
-  add_parameter("Stiffness factors", stiffness_factors_,
-                "Factor on the shear modulus for each tissue label, as 'label: factor'. "
-                "Units: none.",
-                prm, Patterns::Map(Patterns::Integer(0, 255), Patterns::Double(1e-6, 1e6)));
+TissueMaterial::TissueMaterial()
+    : ParameterAcceptor("Material"), model_(material_names().front()) {}
+
+void TissueMaterial::declare_parameters(ParameterHandler& prm) {
+  prm.add_parameter(
+      "Model", model_, "Hyperelastic law of all tissues. Allowed: neo-Hookean (paper eq. 2).",
+      Patterns::Selection(
+          Patterns::Tools::Convert<std::vector<std::string>>::to_string(material_names())));
+  prm.add_parameter("Shear modulus", shear_modulus_,
+                    "mu, the shear modulus to start with, common to all tissues and changed by the "
+                    "material update. Units: Pa. The default is the paper's generic material "
+                    "(E = 1 kPa, nu = 0.4).",
+                    Patterns::Double(1e-3, 1e9));
+  prm.add_parameter(
+      "Poisson ratio", poisson_ratio_,
+      "nu, Poisson's ratio of all tissues; lambda = 2 mu nu / (1 - 2 nu). Units: none. "
+      "The default is the paper's generic material. Linear tetrahedra lock towards 0.5.",
+      Patterns::Double(0., 0.4999));
+  prm.add_parameter("Stiffness factors", stiffness_factors_,
+                    "Factor on the shear modulus for each tissue label, as 'label: factor'. "
+                    "Units: none.",
+                    Patterns::Map(Patterns::Integer(0, 255), Patterns::Double(1e-6, 1e6)));
 }
 
 std::vector<LameParameters>
@@ -80,7 +85,8 @@ TissueMaterial::parameters_of(const std::vector<unsigned>& tissue_labels,
     const auto found = stiffness_factors_.find(label);
     if (found == stiffness_factors_.end())
       throw Error(format("Tissue label %u has no entry in 'Material/Stiffness factors'; add "
-                         "'%u: factor' there.", label, label));
+                         "'%u: factor' there.",
+                         label, label));
     parameters.push_back(lame_parameters(shear_modulus * found->second, poisson_ratio_));
   }
   return parameters;

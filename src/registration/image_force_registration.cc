@@ -15,8 +15,8 @@ using similarity::supine;
 namespace {
 
 constexpr double weight_growth = 1.2;
-constexpr unsigned max_rejections = 5;   // in a row, before a level is given up
-constexpr unsigned patience = 3;         // updates in a row with hardly any gain
+constexpr unsigned max_rejections = 5; // in a row, before a level is given up
+constexpr unsigned patience = 3;       // updates in a row with hardly any gain
 
 } // namespace
 
@@ -46,7 +46,8 @@ public:
       n_rejected = 0;
       record(result, i++, weight, next.value);
       ++result.n_updates;
-      n_idle = current.value - next.value < parameters_.least_gain_ * current.value ? n_idle + 1 : 0;
+      n_idle =
+          current.value - next.value < parameters_.least_gain_ * current.value ? n_idle + 1 : 0;
       current = std::move(next);
       if (n_idle >= patience)
         break;
@@ -83,8 +84,8 @@ private:
 
   void record(ImageForceResult& result, unsigned iteration, double weight, double value) const {
     result.history.push_back({"image_forces", level_, iteration, 0., weight, value});
-    log_.progress(format("  image forces: level %g mm, update %u, weight %.1f Pa, SSD %.1f",
-                         level_, iteration, weight, value));
+    log_.progress(format("  image forces: level %g mm, update %u, weight %.1f Pa, SSD %.1f", level_,
+                         iteration, weight, value));
   }
 
   const ImageForceRegistration& parameters_;
@@ -96,42 +97,47 @@ private:
   const std::array<image::ScalarImage, 2> images_;
 };
 
-ImageForceRegistration::ImageForceRegistration() : ParameterAcceptor("Image forces") {
-  add_parameter("Levels", levels_,
-                "Edges of the voxels of the similarity grid, from coarse to fine. Units: mm.", prm,
-                Patterns::List(Patterns::Double(0.1, 50.), 0, 20));
-  add_parameter("Updates per level", updates_per_level_,
-                "Largest number of accepted force updates on a level. Units: none.", prm,
-                Patterns::Integer(0, 10000));
-  add_parameter("Steps per update", steps_per_update_,
-                "Time steps of the simulation after each force update. Units: none.", prm,
-                Patterns::Integer(1, 100000));
-  add_parameter("Ramp fraction", ramp_fraction_,
-                "Part of these steps over which a new force rises to its value, s(t) of eq. 15. "
-                "Units: none.",
-                prm, Patterns::Double(0., 1.));
-  add_parameter("Weight", weight_,
-                "First weight kappa of the image forces over the shear modulus; adapts from there. "
-                "Units: none (images are scaled to [0, 1]).",
-                prm, Patterns::Double(1e-9, 1e6));
-  add_parameter("Smallest Jacobian", smallest_jacobian_,
-                "An update that brings any element below this J = det F is taken back. Units: none.",
-                prm, Patterns::Double(0., 1.));
-  add_parameter("Least gain", least_gain_,
-                "A level ends after three updates in a row that lower the similarity by less than "
-                "this part. Units: none.",
-                prm, Patterns::Double(0., 1.));
+ImageForceRegistration::ImageForceRegistration() : ParameterAcceptor("Image forces") {}
+
+void ImageForceRegistration::declare_parameters(ParameterHandler& prm) {
+  prm.add_parameter("Levels", levels_,
+                    "Edges of the voxels of the similarity grid, from coarse to fine. Units: mm.",
+                    Patterns::List(Patterns::Double(0.1, 50.), 0, 20));
+  prm.add_parameter("Updates per level", updates_per_level_,
+                    "Largest number of accepted force updates on a level. Units: none.",
+                    Patterns::Integer(0, 10000));
+  prm.add_parameter("Steps per update", steps_per_update_,
+                    "Time steps of the simulation after each force update. Units: none.",
+                    Patterns::Integer(1, 100000));
+  prm.add_parameter(
+      "Ramp fraction", ramp_fraction_,
+      "Part of these steps over which a new force rises to its value, s(t) of eq. 15. "
+      "Units: none.",
+      Patterns::Double(0., 1.));
+  prm.add_parameter(
+      "Weight", weight_,
+      "First weight kappa of the image forces over the shear modulus; adapts from there. "
+      "Units: none (images are scaled to [0, 1]).",
+      Patterns::Double(1e-9, 1e6));
+  prm.add_parameter(
+      "Smallest Jacobian", smallest_jacobian_,
+      "An update that brings any element below this J = det F is taken back. Units: none.",
+      Patterns::Double(0., 1.));
+  prm.add_parameter(
+      "Least gain", least_gain_,
+      "A level ends after three updates in a row that lower the similarity by less than "
+      "this part. Units: none.",
+      Patterns::Double(0., 1.));
 }
 
 ImageForceResult ImageForceRegistration::run(BodyPair& pair, const SimilaritySetup& setup,
-                                             const std::array<image::LabelImage, 2>& labels,
-                                             unsigned chest_label, double shear_modulus,
+                                             const similarity::Scene& scene, double shear_modulus,
                                              const Log& log) const {
   ImageForceResult result;
   double weight = weight_ * shear_modulus;
   for (const double level : levels_) {
-    weight = Level(*this, pair, setup, setup.domain(pair, labels, chest_label, level), level, log)
-                 .run(weight, result);
+    weight =
+        Level(*this, pair, setup, setup.domain(pair, scene, level), level, log).run(weight, result);
     log.line(format("  image forces: level %g mm, SSD %.1f after %u updates", level,
                     result.history.back().value, result.history.back().iteration));
   }

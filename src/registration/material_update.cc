@@ -79,17 +79,20 @@ private:
 
 } // namespace
 
-MaterialUpdate::MaterialUpdate() : ParameterAcceptor("Material update") {
-  add_parameter("Factor", factor_,
-                "Factor on the shear modulus of one step, used both ways (paper: 1.1 clinical, 1.2 "
-                "phantom). Units: none.",
-                prm, Patterns::Double(1.0001, 10.));
-  add_parameter("Maximum steps", max_steps_,
-                "Largest number of accepted steps; 0 keeps the initial material. Units: none.", prm,
-                Patterns::Integer(0, 1000));
-  add_parameter("Level", level_,
-                "Edge of the voxels on which the images are compared. Units: mm.", prm,
-                Patterns::Double(0.1, 50.));
+MaterialUpdate::MaterialUpdate() : ParameterAcceptor("Material update") {}
+
+void MaterialUpdate::declare_parameters(ParameterHandler& prm) {
+  prm.add_parameter(
+      "Factor", factor_,
+      "Factor on the shear modulus of one step, used both ways (paper: 1.1 clinical, 1.2 "
+      "phantom). Units: none.",
+      Patterns::Double(1.0001, 10.));
+  prm.add_parameter("Maximum steps", max_steps_,
+                    "Largest number of accepted steps; 0 keeps the initial material. Units: none.",
+                    Patterns::Integer(0, 1000));
+  prm.add_parameter("Level", level_,
+                    "Edge of the voxels on which the images are compared. Units: mm.",
+                    Patterns::Double(0.1, 50.));
 }
 
 MaterialUpdateResult MaterialUpdate::run(BodyPair& pair, const SimilaritySetup& setup,

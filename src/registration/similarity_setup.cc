@@ -3,38 +3,38 @@
 #include <algorithm>
 
 #include "prosup/image/filters.h"
-#include "prosup/similarity/domain.h"
 
 namespace prosup::registration {
 
 using namespace dealii;
 
-SimilaritySetup::SimilaritySetup() : ParameterAcceptor("Similarity") {
-  add_parameter("Metric", metric_,
-                "Measure of the dissimilarity of the two images. Allowed: ssd (sum of squared "
-                "differences, paper eq. 12).",
-                prm,
-                Patterns::Selection(Patterns::Tools::Convert<std::vector<std::string>>::to_string(
-                    similarity::metric_names())));
-  add_parameter("Boundary layers", n_layers_,
-                "Layers of voxels around the mesh that are mapped like their nearest element, so "
-                "that the skin feels the whole of its image edge. Units: voxels.",
-                prm, Patterns::Integer(0, 20));
-  add_parameter("Grid margin", margin_,
-                "Space that the common unloaded grid leaves around both meshes. Units: mm.", prm,
-                Patterns::Double(0., 1000.));
+SimilarityParameters::SimilarityParameters() : ParameterAcceptor("Similarity") {}
+
+void SimilarityParameters::declare_parameters(ParameterHandler& prm) {
+  prm.add_parameter(
+      "Metric", metric,
+      "Measure of the dissimilarity of the two images. Allowed: ssd (sum of squared "
+      "differences, paper eq. 12).",
+      Patterns::Selection(Patterns::Tools::Convert<std::vector<std::string>>::to_string(
+          similarity::metric_names())));
+  prm.add_parameter(
+      "Boundary layers", n_layers,
+      "Layers of voxels around the mesh that are mapped like their nearest element, so "
+      "that the skin feels the whole of its image edge. Units: voxels.",
+      Patterns::Integer(0, 20));
+  prm.add_parameter("Grid margin", margin,
+                    "Space that the common unloaded grid leaves around both meshes. Units: mm.",
+                    Patterns::Double(0., 1000.));
 }
 
-void SimilaritySetup::prepare(MPI_Comm world) {
-  force_ = std::make_shared<similarity::ImageForce>(similarity::make_metric(metric_), world);
-}
+SimilaritySetup::SimilaritySetup(const SimilarityParameters& parameters, MPI_Comm world)
+    : parameters_(parameters), force_(similarity::make_metric(parameters.metric), world) {}
 
 similarity::SimilarityDomain
-SimilaritySetup::domain(const BodyPair& pair, const std::array<image::LabelImage, 2>& labels,
-                        unsigned chest_label, double level) const {
+SimilaritySetup::domain(const BodyPair& pair, const similarity::Scene& scene, double level) const {
   const image::VoxelGrid grid = similarity::common_unloaded_grid(
-      pair.loaded_states(), level, margin_, pair.ranks().world());
-  return similarity::similarity_domain(grid, {&labels[0], &labels[1]}, chest_label, n_layers_);
+      pair.loaded_states(), level, parameters_.margin, pair.ranks().world());
+  return similarity::similarity_domain(grid, scene, parameters_.n_layers);
 }
 
 std::array<image::ScalarImage, 2> SimilaritySetup::images(const BodyPair& pair,

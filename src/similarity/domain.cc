@@ -1,7 +1,6 @@
 #include "prosup/similarity/domain.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "prosup/image/sampling.h"
@@ -60,32 +59,22 @@ VoxelGrid common_unloaded_grid(const std::array<LoadedState, 2>& states, double 
         }
   MPI_Allreduce(MPI_IN_PLACE, ends, 6, MPI_DOUBLE, MPI_MAX, communicator);
 
-  VoxelGrid grid;
-  for (unsigned d = 0; d < 3; ++d) {
-    // On multiples of the spacing a grid does not jitter with the mesh.
-    const double low = std::floor((-ends[d] - margin) / spacing);
-    const double high = std::ceil((ends[3 + d] + margin) / spacing);
-    grid.spacing[d] = spacing;
-    grid.origin[d] = spacing * low;
-    grid.size[d] = static_cast<std::size_t>(high - low) + 1;
-  }
-  return grid;
+  return image::grid_around(Point<3>(-ends[0], -ends[1], -ends[2]),
+                            Point<3>(ends[3], ends[4], ends[5]), spacing, margin);
 }
 
-SimilarityDomain similarity_domain(const VoxelGrid& grid,
-                                   const std::array<const LabelImage*, 2>& labels,
-                                   unsigned chest_label, unsigned n_layers) {
-  SimilarityDomain domain{grid, std::vector<bool>(grid.n_voxels()), n_layers, 0.f};
-  for (const LabelImage* image : labels) {
-    const auto faces = touched_faces(*image);
+SimilarityDomain similarity_domain(const VoxelGrid& grid, const Scene& scene, unsigned n_layers) {
+  SimilarityDomain domain{grid, std::vector<bool>(grid.n_voxels()), n_layers, scene.air};
+  for (const LabelImage& labels : scene.labels) {
+    const auto faces = touched_faces(labels);
     std::size_t v = 0;
     for (std::size_t k = 0; k < grid.size[2]; ++k)
       for (std::size_t j = 0; j < grid.size[1]; ++j)
         for (std::size_t i = 0; i < grid.size[0]; ++i, ++v) {
-          const Point<3> position = grid.physical(
-              static_cast<double>(i), static_cast<double>(j), static_cast<double>(k));
-          if (beyond(image->grid, faces, position) ||
-              image::nearest_label(*image, position) == chest_label)
+          const Point<3> position =
+              grid.physical(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k));
+          if (beyond(labels.grid, faces, position) ||
+              image::nearest_label(labels, position) == scene.chest_label)
             domain.no_air[v] = true;
         }
   }

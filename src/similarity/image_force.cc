@@ -20,8 +20,7 @@ NodeVector displacement_of(const LoadedState& state) {
   NodeVector displacement = *state.unloaded;
   const NodeVector& loaded = state.body->vertex_positions();
   for (unsigned i = 0; i < 3 * state.body->n_local_nodes(); ++i)
-    displacement.local_element(i) =
-        loaded.local_element(i) - state.unloaded->local_element(i);
+    displacement.local_element(i) = loaded.local_element(i) - state.unloaded->local_element(i);
   return displacement;
 }
 
@@ -97,7 +96,7 @@ WarpedPair ImageForce::combine(const SimilarityDomain& domain,
 
   WarpedPair pair{domain.grid, {}, std::vector<std::uint8_t>(n, 0)};
   for (unsigned s = 0; s < 2; ++s) {
-    pair.values[s].assign(n, domain.air);
+    pair.values[s].assign(n, domain.air[s]);
     for (std::size_t v = 0; v < n; ++v)
       if (packed[(2 * s + 1) * n + v] > 0.f)
         pair.values[s][v] = packed[2 * s * n + v];

@@ -120,8 +120,8 @@ void VoxelMap::compute_weights(const std::vector<std::int32_t>& owner,
         const auto found = local_cell.find(owner[index]);
         if (found == local_cell.end())
           continue;
-        const Point<3> position = grid_.physical(static_cast<double>(i), static_cast<double>(j),
-                                                 static_cast<double>(k));
+        const Point<3> position =
+            grid_.physical(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k));
         std::array<double, 4> weights = barycentric[found->second].weights(position);
         if (!inside[index])
           weights = clamped(weights);
@@ -135,8 +135,8 @@ Point<3> VoxelMap::loaded_position(const Voxel& voxel, const NodeVector& displac
   const std::size_t i = voxel.index % grid_.size[0];
   const std::size_t j = voxel.index / grid_.size[0] % grid_.size[1];
   const std::size_t k = voxel.index / (grid_.size[0] * grid_.size[1]);
-  Point<3> position = grid_.physical(static_cast<double>(i), static_cast<double>(j),
-                                     static_cast<double>(k));
+  Point<3> position =
+      grid_.physical(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k));
   for (unsigned a = 0; a < 4; ++a)
     position += voxel.weights[a] * node_value(displacement, body_.cells()[voxel.cell][a]);
   return position;

@@ -43,7 +43,8 @@ Unloading::Unloading(const UnloadingParameters& parameters, const mechanics::Bod
       safety_(parameters.step_safety) {
   if (Utilities::MPI::max(static_cast<int>(std::count(fixed_.begin(), fixed_.end(), true)),
                           body.communicator()) == 0)
-    throw Error("No node of " + name_ + " is held: none of the boundaries in 'Unloading/Fixed "
+    throw Error("No node of " + name_ +
+                " is held: none of the boundaries in 'Unloading/Fixed "
                 "boundaries' exists on its mesh; name at least one that does.");
   for (NodeVector* vector : {&state_.unloaded, &state_.displacement, &state_.velocity,
                              &state_.force, &state_.force_increment, &external_force_})
@@ -67,9 +68,13 @@ void Unloading::add_force(const NodeVector& increment, double ramp_time) {
   state_.ramp_time = ramp_time;
 }
 
-UnloadingResult Unloading::run() { return simulate(parameters_.max_steps, true); }
+UnloadingResult Unloading::run() {
+  return simulate(parameters_.max_steps, true);
+}
 
-UnloadingResult Unloading::advance(unsigned n_steps) { return simulate(n_steps, false); }
+UnloadingResult Unloading::advance(unsigned n_steps) {
+  return simulate(n_steps, false);
+}
 
 UnloadingResult Unloading::simulate(unsigned max_steps, bool until_settled) {
   UnloadingResult result;
@@ -93,19 +98,18 @@ UnloadingResult Unloading::simulate(unsigned max_steps, bool until_settled) {
     }
     result.min_jacobian = report.min_jacobian;
     result.residual = report.residual_norm / weight_norm_;
-    result.distance = max_distance();
+    result.distance = holds_reference_ ? 0. : max_distance();
     log_.progress(format("  %s: step %u, residual %.1e, max |x-u-X| %.3f mm, min J %.2f",
                          name_.c_str(), result.n_steps, result.residual, result.distance,
                          result.min_jacobian));
     result.converged = result.residual < parameters_.residual_tolerance &&
-                       result.distance < parameters_.position_tolerance &&
-                       state_.time >= parameters_.gravity_ramp &&
-                       state_.time >= state_.ramp_start + state_.ramp_time;
+                       result.distance < parameters_.position_tolerance && fully_loaded_;
     if (result.converged && until_settled)
       break;
     if (++n_corrections % corrections_per_snapshot == 0)
       last_good_ = save();
-    correct_unloaded_positions();
+    if (!holds_reference_)
+      correct_unloaded_positions();
     if (n_corrections % corrections_per_mass_update == 0)
       update_mass();
   }
@@ -160,8 +164,8 @@ void Unloading::update_external_force() {
   const double gravity_part =
       parameters_.gravity_ramp > 0. ? std::min(1., state_.time / parameters_.gravity_ramp) : 1.;
   const double since = state_.time - state_.ramp_start;
-  const double increment_part =
-      state_.ramp_time > 0. ? std::min(1., since / state_.ramp_time) : 1.;
+  const double increment_part = state_.ramp_time > 0. ? std::min(1., since / state_.ramp_time) : 1.;
+  fully_loaded_ = gravity_part == 1. && increment_part == 1.;
   for (unsigned node = 0; node < body_.n_owned_nodes(); ++node)
     for (unsigned c = 0; c < 3; ++c) {
       const unsigned i = 3 * node + c;
@@ -174,10 +178,10 @@ void Unloading::update_external_force() {
 double Unloading::max_distance() const {
   double largest = 0.;
   for (unsigned node = 0; node < body_.n_owned_nodes(); ++node)
-    largest = std::max(largest, (node_value(body_.vertex_positions(), node) -
-                                 node_value(state_.displacement, node) -
-                                 node_value(state_.unloaded, node))
-                                    .norm_square());
+    largest = std::max(largest,
+                       (node_value(body_.vertex_positions(), node) -
+                        node_value(state_.displacement, node) - node_value(state_.unloaded, node))
+                           .norm_square());
   return std::sqrt(Utilities::MPI::max(largest, body_.communicator()));
 }
 
@@ -194,8 +198,8 @@ void Unloading::retreat(const mechanics::StepReport& report, UnloadingResult& re
   integrator_.velocity() = 0.;
   if (result.n_retries >= parameters_.max_retries)
     throw DivergenceError(
-        "The unloading of " + name_ + " diverged at step " + std::to_string(result.n_steps) +
-        " (" + reason + ") and " + std::to_string(result.n_retries) +
+        "The unloading of " + name_ + " diverged at step " + std::to_string(result.n_steps) + " (" +
+        reason + ") and " + std::to_string(result.n_retries) +
         " retries with longer lags and smaller steps did not help; the body may be too soft for "
         "its weight, so raise 'Material/Shear modulus' or check the mask and mesh there.");
   ++result.n_retries;
@@ -213,8 +217,8 @@ std::string Unloading::diagnosis(const mechanics::StepReport& report) const {
     return "an element of the unloaded configuration is inverted";
   if (report.min_jacobian > smallest_healthy_jacobian)
     return format("the kinetic energy grew to %.2g g mm^2/s^2", report.kinetic_energy);
-  const std::string mine = internal_force_.describe_worst_cell(
-      state_.unloaded, state_.displacement, smallest_healthy_jacobian);
+  const std::string mine = internal_force_.describe_worst_cell(state_.unloaded, state_.displacement,
+                                                               smallest_healthy_jacobian);
   for (const std::string& cell : Utilities::MPI::all_gather(body_.communicator(), mine))
     if (!cell.empty())
       return cell + " collapsed";

@@ -4,53 +4,58 @@ namespace prosup::unloading {
 
 using namespace dealii;
 
-UnloadingParameters::UnloadingParameters() : ParameterAcceptor("Unloading") {
-  add_parameter("Density", density,
-                "rho, mass density of the tissue in the unloaded configuration. Units: g/mm^3.",
-                prm, Patterns::Double(1e-9, 1.));
-  add_parameter("Gravity", gravity, "|g|, acceleration of gravity. Units: mm/s^2.", prm,
-                Patterns::Double(0., 1e6));
-  add_parameter("Damping rate", damping_rate,
-                "r/rho, damping coefficient over density (paper eq. 1); about twice the lowest "
-                "eigenfrequency settles fastest. Units: 1/s.",
-                prm, Patterns::Double(0., 1e6));
-  add_parameter("Lag", lag,
-                "tau, time in which the unloaded positions follow the prediction: every n steps "
-                "X <- X + min(1, n h/tau) (x - u - X). Its product with the damping rate should be "
-                "well above 1. Units: s.",
-                prm, Patterns::Double(0., 1e6));
-  add_parameter("Correction interval", correction_interval,
-                "n, steps between two corrections of the unloaded positions. Units: none.", prm,
-                Patterns::Integer(1, 100000));
-  add_parameter("Gravity ramp", gravity_ramp,
-                "Time in which gravity rises linearly to its full value. Units: s.", prm,
-                Patterns::Double(0., 1e6));
-  add_parameter("Residual tolerance", residual_tolerance,
-                "Stop when the norm of the out-of-balance nodal forces is below this part of the "
-                "norm of the weight. Units: none.",
-                prm, Patterns::Double(1e-12, 1.));
-  add_parameter("Position tolerance", position_tolerance,
-                "Stop when also max |x - u - X| is below this. Units: mm.", prm,
-                Patterns::Double(1e-9, 10.));
-  add_parameter("Maximum steps", max_steps,
-                "Give up after this many time steps. Units: none.", prm,
-                Patterns::Integer(1, 100000000));
-  add_parameter("Step safety", step_safety,
-                "Time step over the estimate of the critical one. Units: none.", prm,
-                Patterns::Double(1e-3, 2.));
-  add_parameter("Mass-scaled fraction", scaled_fraction,
-                "Part of the nodes, those with the smallest critical step, whose inertial mass is "
-                "raised so that they do not rule the time step. The settled state does not depend "
-                "on it. Units: none.",
-                prm, Patterns::Double(0., 1.));
-  add_parameter("Maximum retries", max_retries,
-                "How often a diverging simulation goes back to its last good state and continues "
-                "with a longer lag and a smaller step. Units: none.",
-                prm, Patterns::Integer(0, 100));
-  add_parameter("Fixed boundaries", fixed_boundaries,
-                "Boundary ids whose nodes do not move: 1 chest wall, 2 cut planes, 3 skin. "
-                "Units: none.",
-                prm, Patterns::List(Patterns::Integer(0, 1000), 0, 100));
+UnloadingParameters::UnloadingParameters() : ParameterAcceptor("Unloading") {}
+
+void UnloadingParameters::declare_parameters(ParameterHandler& prm) {
+  prm.add_parameter("Density", density,
+                    "rho, mass density of the tissue in the unloaded configuration. Units: g/mm^3.",
+                    Patterns::Double(1e-9, 1.));
+  prm.add_parameter("Gravity", gravity, "|g|, acceleration of gravity. Units: mm/s^2.",
+                    Patterns::Double(0., 1e6));
+  prm.add_parameter("Damping rate", damping_rate,
+                    "r/rho, damping coefficient over density (paper eq. 1); about twice the lowest "
+                    "eigenfrequency settles fastest. Units: 1/s.",
+                    Patterns::Double(0., 1e6));
+  prm.add_parameter(
+      "Lag", lag,
+      "tau, time in which the unloaded positions follow the prediction: every n steps "
+      "X <- X + min(1, n h/tau) (x - u - X). Its product with the damping rate should be "
+      "well above 1. Units: s.",
+      Patterns::Double(0., 1e6));
+  prm.add_parameter("Correction interval", correction_interval,
+                    "n, steps between two corrections of the unloaded positions. Units: none.",
+                    Patterns::Integer(1, 100000));
+  prm.add_parameter("Gravity ramp", gravity_ramp,
+                    "Time in which gravity rises linearly to its full value. Units: s.",
+                    Patterns::Double(0., 1e6));
+  prm.add_parameter(
+      "Residual tolerance", residual_tolerance,
+      "Stop when the norm of the out-of-balance nodal forces is below this part of the "
+      "norm of the weight. Units: none.",
+      Patterns::Double(1e-12, 1.));
+  prm.add_parameter("Position tolerance", position_tolerance,
+                    "Stop when also max |x - u - X| is below this. Units: mm.",
+                    Patterns::Double(1e-9, 10.));
+  prm.add_parameter("Maximum steps", max_steps, "Give up after this many time steps. Units: none.",
+                    Patterns::Integer(1, 100000000));
+  prm.add_parameter("Step safety", step_safety,
+                    "Time step over the estimate of the critical one. Units: none.",
+                    Patterns::Double(1e-3, 2.));
+  prm.add_parameter(
+      "Mass-scaled fraction", scaled_fraction,
+      "Part of the nodes, those with the smallest critical step, whose inertial mass is "
+      "raised so that they do not rule the time step. The settled state does not depend "
+      "on it. Units: none.",
+      Patterns::Double(0., 1.));
+  prm.add_parameter(
+      "Maximum retries", max_retries,
+      "How often a diverging simulation goes back to its last good state and continues "
+      "with a longer lag and a smaller step. Units: none.",
+      Patterns::Integer(0, 100));
+  prm.add_parameter("Fixed boundaries", fixed_boundaries,
+                    "Boundary ids whose nodes do not move: 1 chest wall, 2 cut planes, 3 skin. "
+                    "Units: none.",
+                    Patterns::List(Patterns::Integer(0, 1000), 0, 100));
 }
 
 } // namespace prosup::unloading

@@ -4,6 +4,10 @@
 #include <mpi.h>
 
 #include <functional>
+#include <limits>
+#include <vector>
+
+#include "prosup/core/error.h"
 
 namespace prosup {
 
@@ -15,6 +19,28 @@ void on_root(MPI_Comm communicator, const std::function<void()>& work);
 /// with the message of the first of them. `work` may communicate only within
 /// groups whose ranks all throw or all succeed.
 void on_every_rank(MPI_Comm communicator, const std::function<void()>& work);
+
+/// Copies `values` from one rank to another; only these two have to call it.
+/// T is a plain type of numbers without pointers.
+template <typename T>
+void transfer(std::vector<T>& values, int from, int to, MPI_Comm communicator) {
+  if (from == to)
+    return;
+  int rank = 0;
+  MPI_Comm_rank(communicator, &rank);
+  unsigned long size = values.size();
+  if (rank == from) {
+    MPI_Send(&size, 1, MPI_UNSIGNED_LONG, to, 0, communicator);
+    if (size * sizeof(T) > std::numeric_limits<int>::max())
+      throw Error("A mesh is too large to be sent between two ranks; choose a longer edge.");
+    MPI_Send(values.data(), static_cast<int>(size * sizeof(T)), MPI_BYTE, to, 0, communicator);
+  } else if (rank == to) {
+    MPI_Recv(&size, 1, MPI_UNSIGNED_LONG, from, 0, communicator, MPI_STATUS_IGNORE);
+    values.resize(size);
+    MPI_Recv(values.data(), static_cast<int>(size * sizeof(T)), MPI_BYTE, from, 0, communicator,
+             MPI_STATUS_IGNORE);
+  }
+}
 
 } // namespace prosup
 

@@ -42,6 +42,11 @@ struct VoxelGrid {
   double voxel_volume() const { return spacing[0] * spacing[1] * spacing[2]; }
 };
 
+/// A grid of cubic voxels with axes along LPS that holds the box from `low` to
+/// `high` and `margin` mm around it. Its centres lie on multiples of `spacing`
+/// (mm), so that it does not jitter with the box.
+VoxelGrid grid_around(const Point<3>& low, const Point<3>& high, double spacing, double margin);
+
 /// Values on a VoxelGrid.
 template <typename T>
 struct VoxelImage {

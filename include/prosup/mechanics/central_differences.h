@@ -10,8 +10,8 @@ namespace prosup::mechanics {
 
 /// Masses of the nodes and the step that is stable with them.
 struct StableMass {
-  std::vector<double> mass;  ///< inertial mass of each local node, g
-  double time_step = 0.;     ///< s
+  std::vector<double> mass;    ///< inertial mass of each local node, g
+  double time_step = 0.;       ///< s
   double scaled_fraction = 0.; ///< part of the nodes whose mass was raised
 };
 
@@ -27,9 +27,9 @@ StableMass stable_mass(const Body& body, const InternalForce& internal_force,
 
 /// What one step tells of the state, over all ranks of the body.
 struct StepReport {
-  double min_jacobian = 0.;     ///< smallest J
-  double kinetic_energy = 0.;   ///< g mm^2/s^2
-  double residual_norm = 0.;    ///< |external - internal force| of the free nodes, g mm/s^2
+  double min_jacobian = 0.;   ///< smallest J
+  double kinetic_energy = 0.; ///< g mm^2/s^2
+  double residual_norm = 0.;  ///< |external - internal force| of the free nodes, g mm/s^2
 };
 
 /// Explicit central differences with damping proportional to the speed, the

@@ -44,8 +44,8 @@ public:
   std::vector<double> stiffness_bound(const NodeVector& displacement) const;
 
   /// Names the first cell with J <= bound on this rank: its mesh index, J and
-  /// position in the reference configuration; empty if there is none.
-  std::string describe_worst_cell(const NodeVector& reference, const NodeVector& displacement,
+  /// centre in the configuration `positions`; empty if there is none.
+  std::string describe_worst_cell(const NodeVector& positions, const NodeVector& displacement,
                                   double bound) const;
 
 private:

@@ -39,6 +39,7 @@ const std::vector<std::string>& material_names();
 class TissueMaterial : public dealii::ParameterAcceptor {
 public:
   TissueMaterial();
+  void declare_parameters(dealii::ParameterHandler& prm) override;
 
   /// The shear modulus to start with, Pa.
   double initial_shear_modulus() const { return shear_modulus_; }

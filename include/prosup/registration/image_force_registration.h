@@ -13,9 +13,9 @@
 namespace prosup::registration {
 
 struct ImageForceResult {
-  unsigned n_steps = 0;     ///< time steps of both states
-  unsigned n_updates = 0;   ///< accepted force updates
-  bool converged = true;    ///< both states settled under the final forces
+  unsigned n_steps = 0;   ///< time steps of both states
+  unsigned n_updates = 0; ///< accepted force updates
+  bool converged = true;  ///< both states settled under the final forces
   std::vector<SimilarityRecord> history;
 };
 
@@ -29,10 +29,10 @@ struct ImageForceResult {
 class ImageForceRegistration : public dealii::ParameterAcceptor {
 public:
   ImageForceRegistration();
+  void declare_parameters(dealii::ParameterHandler& prm) override;
 
   /// The pair has to be unloaded; `shear_modulus` (Pa) scales the weight.
-  ImageForceResult run(BodyPair& pair, const SimilaritySetup& setup,
-                       const std::array<image::LabelImage, 2>& labels, unsigned chest_label,
+  ImageForceResult run(BodyPair& pair, const SimilaritySetup& setup, const similarity::Scene& scene,
                        double shear_modulus, const Log& log) const;
 
 private:

@@ -26,6 +26,7 @@ struct MaterialUpdateResult {
 class MaterialUpdate : public dealii::ParameterAcceptor {
 public:
   MaterialUpdate();
+  void declare_parameters(dealii::ParameterHandler& prm) override;
 
   /// The pair has to be unloaded with `shear_modulus` (Pa); is left unloaded
   /// with the accepted one.

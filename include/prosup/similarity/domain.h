@@ -15,11 +15,17 @@ namespace prosup::similarity {
 image::VoxelGrid common_unloaded_grid(const std::array<LoadedState, 2>& states, double spacing,
                                       double margin, MPI_Comm communicator);
 
+/// What is known of the scene around the two bodies.
+struct Scene {
+  std::array<image::LabelImage, 2> labels; ///< of the loaded states
+  std::array<float, 2> air{0.f, 0.f};      ///< intensity of air in the scaled images
+  unsigned chest_label = 1;
+};
+
 /// The domain on `grid`: voxels in the chest of either label image, or beyond
 /// a face of its field of view that the body touches, do not count as air.
-SimilarityDomain similarity_domain(const image::VoxelGrid& grid,
-                                   const std::array<const image::LabelImage*, 2>& labels,
-                                   unsigned chest_label, unsigned n_layers);
+SimilarityDomain similarity_domain(const image::VoxelGrid& grid, const Scene& scene,
+                                   unsigned n_layers);
 
 } // namespace prosup::similarity
 

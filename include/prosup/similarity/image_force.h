@@ -25,8 +25,8 @@ struct SimilarityDomain {
   /// Voxels in which an image without tissue there does not count as air: the
   /// chest, and all beyond the field of view.
   std::vector<bool> no_air;
-  unsigned n_layers = 2;    ///< voxels added around each mesh
-  float air = 0.f;          ///< intensity outside the body
+  unsigned n_layers = 2;              ///< voxels added around each mesh
+  std::array<float, 2> air{0.f, 0.f}; ///< intensity outside the body of either image
 };
 
 /// The dissimilarity of a pair and its forces.
@@ -52,8 +52,7 @@ public:
                             const std::array<LoadedState, 2>& states) const;
 
   /// The two warped images, on every rank, for pictures and other measures.
-  WarpedPair warp(const SimilarityDomain& domain,
-                  const std::array<LoadedState, 2>& states) const;
+  WarpedPair warp(const SimilarityDomain& domain, const std::array<LoadedState, 2>& states) const;
 
 private:
   struct Samples;

@@ -19,10 +19,10 @@ namespace prosup::similarity {
 class VoxelMap {
 public:
   struct Voxel {
-    std::uint32_t index;           ///< linear index in the grid
-    std::uint32_t cell;            ///< in Body::cells()
-    std::array<float, 4> weights;  ///< N_a, sum 1
-    bool beyond_boundary;          ///< one of the layers added outside the mesh
+    std::uint32_t index;          ///< linear index in the grid
+    std::uint32_t cell;           ///< in Body::cells()
+    std::array<float, 4> weights; ///< N_a, sum 1
+    bool beyond_boundary;         ///< one of the layers added outside the mesh
   };
 
   /// `n_layers` layers of voxels around the mesh take the weights of the

@@ -17,11 +17,11 @@ using mechanics::NodeVector;
 /// How far an unloading has come.
 struct UnloadingResult {
   bool converged = false;
-  unsigned n_steps = 0;        ///< in this call
-  unsigned n_retries = 0;      ///< returns to the last good state, in this call
-  double residual = 0.;        ///< out-of-balance force over weight
-  double distance = 0.;        ///< max |x - u - X|, mm
-  double min_jacobian = 0.;    ///< smallest J = det dx/dX
+  unsigned n_steps = 0;     ///< in this call
+  unsigned n_retries = 0;   ///< returns to the last good state, in this call
+  double residual = 0.;     ///< out-of-balance force over weight
+  double distance = 0.;     ///< max |x - u - X|, mm
+  double min_jacobian = 0.; ///< smallest J = det dx/dX
 };
 
 /// Finds the unloaded configuration X of a body imaged under gravity by the
@@ -51,6 +51,10 @@ public:
   /// Adds nodal forces (owned nodes, g mm/s^2; image forces, eq. 15) that rise
   /// linearly from 0 to their value over `ramp_time` seconds from now.
   void add_force(const NodeVector& increment, double ramp_time);
+
+  /// Keeps X where it is from now on: a plain forward simulation of the body
+  /// under gravity, in which run() settles the loaded state X + u.
+  void hold_reference() { holds_reference_ = true; }
 
   /// Simulates until settled to the tolerances.
   /// @throws DivergenceError with a diagnosis when all retries are used up;
@@ -95,11 +99,13 @@ private:
   State last_good_;
   NodeVector external_force_;
   std::vector<double> lumped_volume_;
+  bool holds_reference_ = false;
+  bool fully_loaded_ = false; // all ramps were over in the last steps
   double weight_norm_ = 0.;
   double lag_;
   double safety_;
-  double min_jacobian_ = 1.;        // this rank's, since the last report
-  double reference_volume_ = 1.;    // smallest cell volume, all ranks
+  double min_jacobian_ = 1.;     // this rank's, since the last report
+  double reference_volume_ = 1.; // smallest cell volume, all ranks
   double kinetic_energy_limit_ = 0.;
 };
 

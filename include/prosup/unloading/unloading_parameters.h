@@ -14,18 +14,19 @@ namespace prosup::unloading {
 class UnloadingParameters : public dealii::ParameterAcceptor {
 public:
   UnloadingParameters();
+  void declare_parameters(dealii::ParameterHandler& prm) override;
 
-  double density = tissue_density;         ///< rho, g/mm^3
-  double gravity = standard_gravity;       ///< |g|, mm/s^2
-  double damping_rate = 25.;               ///< r/rho, 1/s
-  double lag = 0.1;                        ///< tau, s
-  unsigned correction_interval = 10;       ///< n, steps
-  double gravity_ramp = 0.1;               ///< s
-  double residual_tolerance = 2e-3;        ///< relative
-  double position_tolerance = 0.02;        ///< mm
+  double density = tissue_density;   ///< rho, g/mm^3
+  double gravity = standard_gravity; ///< |g|, mm/s^2
+  double damping_rate = 25.;         ///< r/rho, 1/s
+  double lag = 0.1;                  ///< tau, s
+  unsigned correction_interval = 10; ///< n, steps
+  double gravity_ramp = 0.1;         ///< s
+  double residual_tolerance = 2e-3;  ///< relative
+  double position_tolerance = 0.02;  ///< mm
   unsigned max_steps = 20000;
-  double step_safety = 0.9;                ///< of the critical time step
-  double scaled_fraction = 0.2;            ///< of the nodes
+  double step_safety = 0.9;     ///< of the critical time step
+  double scaled_fraction = 0.2; ///< of the nodes
   unsigned max_retries = 6;
   std::set<unsigned> fixed_boundaries{1, 2};
 };

@@ -1,0 +1,38 @@
+#ifndef PROSUP_PIPELINE_BODY_BUILDING_H
+#define PROSUP_PIPELINE_BODY_BUILDING_H
+
+#include <array>
+#include <string>
+
+#include "prosup/core/log.h"
+#include "prosup/mesh/tet_mesh.h"
+#include "prosup/pipeline/inputs.h"
+#include "prosup/pipeline/stages.h"
+#include "prosup/registration/body_pair.h"
+
+namespace prosup::pipeline {
+
+/// Meshes of both states, whole, on rank 0 of all ranks.
+using MeshPair = std::array<mesh::TetMesh, 2>;
+
+/// Meshes both masks, each on the first rank of its group, distributes the
+/// meshes, and sets up bodies and unloadings of `pair`. The images in `inputs`
+/// move into the pair. Collective.
+MeshPair build_bodies(const Stages& stages, Inputs& inputs, registration::BodyPair& pair,
+                      const Log& log);
+
+/// The meshes of both states with their present unloaded positions, on rank 0;
+/// empty elsewhere. Collective.
+std::array<mesh::UnloadedMesh, 2> gather_unloaded(const MeshPair& meshes,
+                                                  const registration::BodyPair& pair);
+
+/// The same for one body, on rank 0 of its communicator.
+mesh::UnloadedMesh gather_unloaded(const mesh::TetMesh& mesh,
+                                   const unloading::Unloading& unloading);
+
+/// One line on how far the unloading of `name` has come.
+std::string describe(const std::string& name, const unloading::UnloadingResult& result);
+
+} // namespace prosup::pipeline
+
+#endif

@@ -1,0 +1,44 @@
+#ifndef PROSUP_PIPELINE_CASE_PARAMETERS_H
+#define PROSUP_PIPELINE_CASE_PARAMETERS_H
+
+#include <deal.II/base/parameter_acceptor.h>
+#include <deal.II/base/tensor.h>
+
+#include <array>
+#include <filesystem>
+#include <string>
+
+namespace prosup::pipeline {
+
+/// What belongs to a case and not to the method, section "Case". File names
+/// are relative to the folder of the parameter file.
+class CaseParameters : public dealii::ParameterAcceptor {
+public:
+  CaseParameters();
+  void declare_parameters(dealii::ParameterHandler& prm) override;
+
+  /// Makes the file names absolute. `folder` is that of the parameter file.
+  void resolve(const std::filesystem::path& folder);
+
+  /// @throws Error if an input that `register` needs is not given.
+  void require_pair() const;
+  /// @throws Error if the labels of the chosen state are not given.
+  void require_labels(unsigned state) const;
+
+  /// 0 prone, 1 supine: what `mesh` and `unload` work on.
+  unsigned state() const { return state_ == "prone" ? 0 : 1; }
+
+  std::array<std::string, 2> images; ///< prone, supine
+  std::array<std::string, 2> labels;
+  std::array<dealii::Tensor<1, 3>, 2> gravity;
+  std::string landmarks;
+
+private:
+  std::string state_ = "prone";
+  std::string chest_ = "fixed";
+  std::string method_ = "fe";
+};
+
+} // namespace prosup::pipeline
+
+#endif

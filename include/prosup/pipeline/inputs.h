@@ -1,0 +1,57 @@
+#ifndef PROSUP_PIPELINE_INPUTS_H
+#define PROSUP_PIPELINE_INPUTS_H
+
+#include <deal.II/base/parameter_acceptor.h>
+#include <mpi.h>
+
+#include <array>
+#include <optional>
+
+#include "prosup/image/voxel_image.h"
+#include "prosup/pipeline/case_parameters.h"
+#include "prosup/similarity/domain.h"
+
+namespace prosup::pipeline {
+
+/// The images of a case, ready for use.
+struct Inputs {
+  std::array<image::ScalarImage, 2> originals; ///< as read, on rank 0 only
+  std::array<image::ScalarImage, 2> images;    ///< isotropic, scaled to [0, 1]
+  similarity::Scene scene;                     ///< isotropic labels
+};
+
+/// Reads and prepares images and label images, section "Images".
+class InputReader : public dealii::ParameterAcceptor {
+public:
+  InputReader();
+  void declare_parameters(dealii::ParameterHandler& prm) override;
+
+  /// Mask of the voxels with a tissue label.
+  image::LabelImage tissue_mask(const image::LabelImage& labels) const;
+
+  /// Both pairs; the same on all ranks. @throws Error for files that are
+  /// missing, unreadable or do not fit, and labels that are not there.
+  Inputs read_pair(const CaseParameters& parameters, MPI_Comm communicator) const;
+
+  /// The labels of one state, isotropic; for one rank.
+  image::LabelImage read_labels(const CaseParameters& parameters, unsigned state) const;
+
+  /// The image of one state as it is, checked against its labels, or nothing if
+  /// none is given; for one rank.
+  std::optional<image::ScalarImage> read_image(const CaseParameters& parameters,
+                                               unsigned state) const;
+
+private:
+  void prepare(const CaseParameters& parameters, unsigned state, Inputs& inputs) const;
+  image::LabelImage checked_labels(const std::string& file) const;
+  double isotropic_edge(const image::VoxelGrid& grid) const;
+
+  double voxel_edge_ = 1.;
+  double low_percentile_ = 1., high_percentile_ = 99.;
+  unsigned chest_label_ = 1;
+  std::vector<unsigned> tissue_labels_{2, 3};
+};
+
+} // namespace prosup::pipeline
+
+#endif

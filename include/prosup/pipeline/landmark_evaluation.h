@@ -1,0 +1,41 @@
+#ifndef PROSUP_PIPELINE_LANDMARK_EVALUATION_H
+#define PROSUP_PIPELINE_LANDMARK_EVALUATION_H
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "prosup/evaluation/landmarks.h"
+#include "prosup/evaluation/target_registration_error.h"
+#include "prosup/mesh/tet_mesh.h"
+
+namespace prosup::pipeline {
+
+/// Looks at a registration from outside: target registration errors of its
+/// stages. Nothing flows back from here. For one rank.
+class LandmarkEvaluation {
+public:
+  /// Reads the landmarks; without a file there is nothing to evaluate.
+  void read(const std::string& file);
+
+  bool has_landmarks() const { return !landmarks_.empty(); }
+
+  std::optional<evaluation::ErrorStatistics> initial() const;
+
+  /// Errors in the unloaded configuration, and the mapped landmarks.
+  std::optional<evaluation::ErrorStatistics>
+  evaluate(const std::array<mesh::UnloadedMesh, 2>& meshes);
+
+  /// The landmarks of the last evaluation, as CSV.
+  void write(const std::filesystem::path& file) const;
+
+private:
+  std::vector<evaluation::Landmark> landmarks_;
+  std::vector<evaluation::MappedLandmark> mapped_;
+};
+
+} // namespace prosup::pipeline
+
+#endif

@@ -1,0 +1,62 @@
+#ifndef PROSUP_PIPELINE_REGISTER_PIPELINE_H
+#define PROSUP_PIPELINE_REGISTER_PIPELINE_H
+
+#include <deal.II/base/parameter_handler.h>
+#include <mpi.h>
+
+#include <array>
+#include <filesystem>
+#include <string>
+
+#include "prosup/core/log.h"
+#include "prosup/output/summary.h"
+#include "prosup/pipeline/body_building.h"
+#include "prosup/pipeline/landmark_evaluation.h"
+#include "prosup/pipeline/stage_timer.h"
+#include "prosup/pipeline/stages.h"
+#include "prosup/registration/body_pair.h"
+
+namespace prosup::pipeline {
+
+/// The main job: both images and masks to the registered unloaded pair. run()
+/// reads like the data flow; collective on `world`.
+class RegisterPipeline {
+public:
+  /// `stages` have their values from `parameters`, which go to used.prm.
+  RegisterPipeline(const Stages& stages, const dealii::ParameterHandler& parameters,
+                   MPI_Comm world);
+
+  /// @returns whether all simulations settled. The result folder is written
+  /// either way, and says so.
+  /// @throws Error if there is no result.
+  bool run(const std::filesystem::path& output);
+
+private:
+  void read();
+  void build();
+  void unload();
+  void update_material();
+  void push_with_image_forces();
+  void write(const std::filesystem::path& folder);
+
+  void record(const std::array<unloading::UnloadingResult, 2>& results);
+  void record(const std::vector<registration::SimilarityRecord>& history);
+  void add_mesh_summaries();
+  void write_images(const std::filesystem::path& folder) const;
+
+  const Stages& stages_;
+  const dealii::ParameterHandler& parameters_;
+  const Log log_;
+  const registration::RankSplit ranks_;
+  StageTimer timer_;
+  registration::BodyPair pair_;
+  LandmarkEvaluation landmarks_;
+  Inputs inputs_;
+  MeshPair meshes_;
+  std::array<mesh::UnloadedMesh, 2> unloaded_;
+  output::Summary summary_;
+};
+
+} // namespace prosup::pipeline
+
+#endif

@@ -1,0 +1,36 @@
+#ifndef PROSUP_PIPELINE_STAGES_H
+#define PROSUP_PIPELINE_STAGES_H
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "prosup/mechanics/material.h"
+#include "prosup/mesh/mask_mesher.h"
+#include "prosup/pipeline/case_parameters.h"
+#include "prosup/pipeline/inputs.h"
+#include "prosup/pipeline/result_parameters.h"
+#include "prosup/registration/image_force_registration.h"
+#include "prosup/registration/material_update.h"
+#include "prosup/registration/similarity_setup.h"
+#include "prosup/unloading/unloading_parameters.h"
+
+namespace prosup::pipeline {
+
+/// All objects with parameters, in the order of the data. Every command has
+/// them all, so that one parameter file serves every command.
+struct Stages {
+  CaseParameters scene;
+  InputReader inputs;
+  mesh::MaskMesher mesher;
+  mechanics::TissueMaterial material;
+  unloading::UnloadingParameters unloading;
+  registration::SimilarityParameters similarity;
+  registration::MaterialUpdate material_update;
+  registration::ImageForceRegistration image_forces;
+  ResultParameters results;
+};
+
+} // namespace prosup::pipeline
+
+#endif

@@ -1,0 +1,91 @@
+#include "prosup/pipeline/body_building.h"
+
+#include <deal.II/base/mpi.h>
+
+#include "prosup/core/collective.h"
+#include "prosup/mesh/distributed.h"
+
+namespace prosup::pipeline {
+
+using namespace dealii;
+using registration::BodyPair;
+using registration::BodyState;
+using registration::State;
+using similarity::prone;
+using similarity::supine;
+
+namespace {
+
+constexpr const char* state_names[2] = {"prone", "supine"};
+
+void transfer_mesh(mesh::TetMesh& mesh, int from, int to, MPI_Comm communicator) {
+  transfer(mesh.points, from, to, communicator);
+  transfer(mesh.cells, from, to, communicator);
+  transfer(mesh.tissue, from, to, communicator);
+  transfer(mesh.boundary_faces, from, to, communicator);
+}
+
+/// Unloaded positions of the nodes of a mesh from those at its cells' corners.
+std::vector<Point<3>> at_nodes(const mesh::TetMesh& mesh,
+                               const std::vector<std::array<Point<3>, 4>>& at_cells) {
+  std::vector<Point<3>> positions(mesh.points);
+  for (std::size_t cell = 0; cell < at_cells.size(); ++cell)
+    for (unsigned a = 0; a < 4; ++a)
+      positions[mesh.cells[cell][a]] = at_cells[cell][a];
+  return positions;
+}
+
+} // namespace
+
+MeshPair build_bodies(const Stages& stages, Inputs& inputs, BodyPair& pair, const Log& log) {
+  MeshPair meshes;
+  const auto& ranks = pair.ranks();
+  const MPI_Comm group = ranks.group();
+  pair.for_each([&](State which, BodyState& state) {
+    on_root(group, [&] { meshes[which] = stages.mesher.run(inputs.scene.labels[which]); });
+    const auto triangulation = mesh::make_distributed(meshes[which], group);
+    state.body = std::make_unique<mechanics::Body>(*triangulation);
+    state.unloading = std::make_unique<unloading::Unloading>(
+        stages.unloading, *state.body, stages.scene.gravity[which], state_names[which], Log(group));
+    state.image = std::move(inputs.images[which]);
+  });
+  const int rank = Utilities::MPI::this_mpi_process(ranks.world());
+  if (rank == 0 || rank == ranks.first_rank(supine))
+    transfer_mesh(meshes[supine], ranks.first_rank(supine), 0, ranks.world());
+  for (const State state : {prone, supine})
+    log.line(format("  %s: %zu cells, %zu nodes", state_names[state], meshes[state].cells.size(),
+                    meshes[state].points.size()));
+  return meshes;
+}
+
+mesh::UnloadedMesh gather_unloaded(const mesh::TetMesh& mesh,
+                                   const unloading::Unloading& unloading) {
+  const auto at_cells = unloading.body().gather_at_cells(unloading.unloaded());
+  return {mesh, at_nodes(mesh, at_cells)};
+}
+
+std::array<mesh::UnloadedMesh, 2> gather_unloaded(const MeshPair& meshes, const BodyPair& pair) {
+  std::array<std::vector<std::array<Point<3>, 4>>, 2> at_cells;
+  const auto& ranks = pair.ranks();
+  const int rank = Utilities::MPI::this_mpi_process(ranks.world());
+  for (const State state : {prone, supine}) {
+    if (ranks.holds(state))
+      at_cells[state] = pair[state].body->gather_at_cells(pair[state].unloading->unloaded());
+    const int holder = ranks.first_rank(state);
+    if (rank == 0 || rank == holder)
+      transfer(at_cells[state], holder, 0, ranks.world());
+  }
+  std::array<mesh::UnloadedMesh, 2> unloaded;
+  if (rank == 0)
+    for (const State state : {prone, supine})
+      unloaded[state] = {meshes[state], at_nodes(meshes[state], at_cells[state])};
+  return unloaded;
+}
+
+std::string describe(const std::string& name, const unloading::UnloadingResult& result) {
+  return format("  %s: %u steps, residual %.1e, max |x-u-X| %.3f mm, min J %.2f%s", name.c_str(),
+                result.n_steps, result.residual, result.distance, result.min_jacobian,
+                result.converged ? "" : " (NOT settled)");
+}
+
+} // namespace prosup::pipeline

@@ -1,0 +1,80 @@
+#include "prosup/pipeline/case_parameters.h"
+
+#include "prosup/core/error.h"
+
+namespace prosup::pipeline {
+
+using namespace dealii;
+
+namespace {
+
+constexpr const char* state_names[2] = {"prone", "supine"};
+
+std::string capitalized(const char* word) {
+  std::string text(word);
+  text[0] = static_cast<char>(std::toupper(text[0]));
+  return text;
+}
+
+void require(const std::string& value, const std::string& entry, const std::string& option) {
+  if (value.empty())
+    throw Error("No file is given for '" + entry +
+                "'; name it in the parameter file (section "
+                "Case) or with " +
+                option + " FILE.");
+}
+
+} // namespace
+
+CaseParameters::CaseParameters() : ParameterAcceptor("Case") {
+  gravity[0][1] = -1.;
+  gravity[1][1] = 1.;
+}
+
+void CaseParameters::declare_parameters(ParameterHandler& prm) {
+  for (unsigned s = 0; s < 2; ++s) {
+    const std::string state = capitalized(state_names[s]);
+    prm.add_parameter(state + " image", images[s],
+                      "Image of the loaded " + std::string(state_names[s]) +
+                          " breast: NIfTI, NRRD or MetaImage.",
+                      Patterns::Anything());
+    prm.add_parameter(state + " labels", labels[s],
+                      "Its labels on the same voxels: air, chest wall and muscle, fat, gland.",
+                      Patterns::Anything());
+    prm.add_parameter(state + " gravity", gravity[s],
+                      "Direction of gravity, LPS. Units: none (its length does not matter).");
+  }
+  prm.add_parameter("Landmarks", landmarks,
+                    "Landmarks for evaluation only, CSV: id,prone_x,...,supine_z. May be empty.",
+                    Patterns::Anything());
+  prm.add_parameter("State", state_, "What the commands mesh and unload work on.",
+                    Patterns::Selection("prone|supine"));
+  prm.add_parameter(
+      "Chest", chest_,
+      "Motion of the tissue on the chest wall. Allowed: fixed (the nodes of 'Unloading/"
+      "Fixed boundaries' do not move).",
+      Patterns::Selection("fixed"));
+  prm.add_parameter("Method", method_, "Numerical method. Allowed: fe (finite elements).",
+                    Patterns::Selection("fe"));
+}
+
+void CaseParameters::resolve(const std::filesystem::path& folder) {
+  for (std::string* file : {&images[0], &images[1], &labels[0], &labels[1], &landmarks})
+    if (!file->empty() && std::filesystem::path(*file).is_relative())
+      *file = (folder / *file).lexically_normal().string();
+}
+
+void CaseParameters::require_pair() const {
+  for (unsigned s = 0; s < 2; ++s) {
+    const std::string state = state_names[s];
+    require(images[s], "Case/" + capitalized(state_names[s]) + " image", "--" + state + "-image");
+    require_labels(s);
+  }
+}
+
+void CaseParameters::require_labels(unsigned s) const {
+  require(labels[s], "Case/" + capitalized(state_names[s]) + " labels",
+          "--" + std::string(state_names[s]) + "-labels");
+}
+
+} // namespace prosup::pipeline

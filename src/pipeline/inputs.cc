@@ -1,0 +1,133 @@
+#include "prosup/pipeline/inputs.h"
+
+#include <algorithm>
+
+#include "prosup/core/collective.h"
+#include "prosup/core/error.h"
+#include "prosup/image/broadcast.h"
+#include "prosup/image/filters.h"
+#include "prosup/image/image_io.h"
+
+namespace prosup::pipeline {
+
+using namespace dealii;
+using image::LabelImage;
+using image::ScalarImage;
+
+namespace {
+
+constexpr double largest_anisotropy = 1.05; // of voxels that are used as they are
+
+/// Median intensity of the voxels labelled air; the darkest one if there are none.
+float air_intensity(const ScalarImage& image, const LabelImage& labels) {
+  std::vector<float> values;
+  for (std::size_t v = 0; v < labels.values.size(); ++v)
+    if (labels.values[v] == 0)
+      values.push_back(image.values[v]);
+  if (values.empty())
+    return *std::min_element(image.values.begin(), image.values.end());
+  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+  return values[values.size() / 2];
+}
+
+} // namespace
+
+InputReader::InputReader() : ParameterAcceptor("Images") {}
+
+void InputReader::declare_parameters(ParameterHandler& prm) {
+  prm.add_parameter(
+      "Voxel edge", voxel_edge_,
+      "Anisotropic images are resampled to cubic voxels of this edge, or of their own "
+      "shortest edge if that is longer. Units: mm.",
+      Patterns::Double(0.01, 100.));
+  prm.add_parameter("Low percentile", low_percentile_,
+                    "Intensity inside the breast that becomes 0. Units: percent.",
+                    Patterns::Double(0., 100.));
+  prm.add_parameter("High percentile", high_percentile_,
+                    "Intensity inside the breast that becomes 1. Units: percent.",
+                    Patterns::Double(0., 100.));
+  prm.add_parameter("Chest label", chest_label_,
+                    "Label of the chest wall and muscle, which does not deform. Units: none.",
+                    Patterns::Integer(0, 255));
+  prm.add_parameter("Tissue labels", tissue_labels_,
+                    "Labels of the tissue that deforms: fat and gland. Units: none.",
+                    Patterns::List(Patterns::Integer(1, 255), 1, 255));
+}
+
+double InputReader::isotropic_edge(const image::VoxelGrid& grid) const {
+  const auto [shortest, longest] = std::minmax({grid.spacing[0], grid.spacing[1], grid.spacing[2]});
+  return longest <= largest_anisotropy * shortest ? 0. : std::max(voxel_edge_, shortest);
+}
+
+LabelImage InputReader::tissue_mask(const LabelImage& labels) const {
+  return image::select_labels(labels, tissue_labels_);
+}
+
+LabelImage InputReader::checked_labels(const std::string& file) const {
+  LabelImage labels = image::read_labels(file);
+  if (std::all_of(labels.values.begin(), labels.values.end(),
+                  [](std::uint8_t label) { return label == 0; }))
+    throw Error("The label image '" + file +
+                "' is empty: all its voxels are 0; it has to mark the "
+                "chest wall, fat and gland.");
+  image::require_label(labels, chest_label_, "the chest wall ('Images/Chest label')", file);
+  const LabelImage tissue = tissue_mask(labels);
+  if (std::none_of(tissue.values.begin(), tissue.values.end(), [](auto v) { return v != 0; }))
+    image::require_label(labels, tissue_labels_.front(), "breast tissue ('Images/Tissue labels')",
+                         file);
+  return labels;
+}
+
+LabelImage InputReader::read_labels(const CaseParameters& parameters, unsigned state) const {
+  parameters.require_labels(state);
+  LabelImage labels = checked_labels(parameters.labels[state]);
+  const double edge = isotropic_edge(labels.grid);
+  return edge > 0. ? image::resample_isotropic(labels, edge) : labels;
+}
+
+std::optional<ScalarImage> InputReader::read_image(const CaseParameters& parameters,
+                                                   unsigned state) const {
+  const std::string& file = parameters.images[state];
+  if (file.empty())
+    return {};
+  ScalarImage image = image::read_image(file);
+  image::check_labels_fit(image, image::read_labels(parameters.labels[state]), file,
+                          parameters.labels[state]);
+  return image;
+}
+
+void InputReader::prepare(const CaseParameters& parameters, unsigned state, Inputs& inputs) const {
+  ScalarImage& original = inputs.originals[state];
+  original = image::read_image(parameters.images[state]);
+  LabelImage labels = checked_labels(parameters.labels[state]);
+  image::check_labels_fit(original, labels, parameters.images[state], parameters.labels[state]);
+  const image::IntensityRange range =
+      image::robust_range(original, tissue_mask(labels), low_percentile_, high_percentile_);
+  ScalarImage& scaled = inputs.images[state];
+  scaled = image::rescale(original, range);
+  const double edge = isotropic_edge(original.grid);
+  if (edge > 0.) {
+    scaled = image::resample_isotropic(scaled, edge);
+    labels = image::resample_isotropic(labels, edge);
+  }
+  inputs.scene.air[state] = air_intensity(scaled, labels);
+  inputs.scene.labels[state] = std::move(labels);
+}
+
+Inputs InputReader::read_pair(const CaseParameters& parameters, MPI_Comm communicator) const {
+  Inputs inputs;
+  inputs.scene.chest_label = chest_label_;
+  on_root(communicator, [&] {
+    parameters.require_pair();
+    for (unsigned state = 0; state < 2; ++state)
+      prepare(parameters, state, inputs);
+  });
+  for (unsigned state = 0; state < 2; ++state) {
+    image::broadcast(inputs.images[state], communicator);
+    image::broadcast(inputs.scene.labels[state], communicator);
+  }
+  MPI_Bcast(inputs.scene.air.data(), 2, MPI_FLOAT, 0, communicator);
+  return inputs;
+}
+
+} // namespace prosup::pipeline

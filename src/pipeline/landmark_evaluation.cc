@@ -1,0 +1,38 @@
+#include "prosup/pipeline/landmark_evaluation.h"
+
+#include "prosup/evaluation/landmarks_csv.h"
+#include "prosup/evaluation/point_mapper.h"
+
+namespace prosup::pipeline {
+
+using evaluation::ErrorStatistics;
+
+void LandmarkEvaluation::read(const std::string& file) {
+  if (!file.empty())
+    landmarks_ = evaluation::read_landmarks(file);
+}
+
+std::optional<ErrorStatistics> LandmarkEvaluation::initial() const {
+  if (!has_landmarks())
+    return {};
+  return evaluation::initial_error(landmarks_);
+}
+
+std::optional<ErrorStatistics>
+LandmarkEvaluation::evaluate(const std::array<mesh::UnloadedMesh, 2>& meshes) {
+  if (!has_landmarks())
+    return {};
+  mapped_ = evaluation::map_landmarks(landmarks_, evaluation::PointMapper(meshes[0]),
+                                      evaluation::PointMapper(meshes[1]));
+  std::vector<double> errors;
+  for (const evaluation::MappedLandmark& landmark : mapped_)
+    errors.push_back(landmark.error());
+  return evaluation::statistics(std::move(errors));
+}
+
+void LandmarkEvaluation::write(const std::filesystem::path& file) const {
+  if (has_landmarks())
+    evaluation::write_landmarks(mapped_, file);
+}
+
+} // namespace prosup::pipeline

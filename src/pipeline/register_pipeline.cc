@@ -1,0 +1,178 @@
+#include "prosup/pipeline/register_pipeline.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+
+#include "prosup/core/collective.h"
+#include "prosup/core/parameters.h"
+#include "prosup/core/result_folder.h"
+#include "prosup/core/version.h"
+#include "prosup/image/filters.h"
+#include "prosup/image/image_io.h"
+#include "prosup/mesh/deformation.h"
+#include "prosup/mesh/quality.h"
+#include "prosup/output/displacement_fields.h"
+#include "prosup/output/pictures.h"
+#include "prosup/output/vtu.h"
+#include "prosup/pipeline/unloaded_grid.h"
+
+namespace prosup::pipeline {
+
+using namespace dealii;
+using similarity::prone;
+using similarity::supine;
+
+namespace {
+
+namespace stage {
+constexpr const char* read = "Reading images";
+constexpr const char* mesh = "Meshing";
+constexpr const char* unloading = "Unloading";
+constexpr const char* material = "Material update";
+constexpr const char* image_forces = "Image forces";
+constexpr const char* write = "Writing results";
+} // namespace stage
+
+} // namespace
+
+RegisterPipeline::RegisterPipeline(const Stages& stages, const ParameterHandler& parameters,
+                                   MPI_Comm world)
+    : stages_(stages), parameters_(parameters), log_(world), ranks_(world),
+      timer_(ranks_.world(), log_), pair_(ranks_) {
+  summary_.command = "register";
+  summary_.ranks = Utilities::MPI::n_mpi_processes(world);
+  summary_.converged = true;
+  summary_.steps = 0;
+  log_.line(format("prosup %s, deal.II %s, %u rank%s", version(), dealii_version(), summary_.ranks,
+                   summary_.ranks == 1 ? "" : "s"));
+}
+
+bool RegisterPipeline::run(const std::filesystem::path& output) {
+  std::unique_ptr<ResultFolder> folder;
+  on_root(ranks_.world(), [&] { folder = std::make_unique<ResultFolder>(output); });
+
+  timer_.run(stage::read, [&] { read(); });
+  timer_.run(stage::mesh, [&] { build(); });
+  timer_.run(stage::unloading, [&] { unload(); });
+  timer_.run(stage::material, [&] { update_material(); });
+  timer_.run(stage::image_forces, [&] { push_with_image_forces(); });
+  timer_.run(stage::write, [&] { on_root(ranks_.world(), [&] { write(folder->path()); }); });
+
+  summary_.peak_memory = peak_memory(ranks_.world());
+  on_root(ranks_.world(), [&] {
+    summary_.time = {timer_.seconds(stage::mesh), timer_.seconds(stage::unloading),
+                     timer_.seconds(stage::material), timer_.seconds(stage::image_forces),
+                     timer_.total()};
+    output::write_summary(summary_, folder->path() / "summary.json");
+    folder->commit();
+    log_.line("\n" + timer_.table());
+    if (landmarks_.has_landmarks())
+      log_.line("\n" + output::error_table(summary_));
+    for (const std::string& warning : summary_.warnings)
+      log_.line("Warning: " + warning);
+    log_.line("\nResults are in " + output.string());
+  });
+  return summary_.converged;
+}
+
+void RegisterPipeline::read() {
+  on_root(ranks_.world(), [&] { landmarks_.read(stages_.scene.landmarks); });
+  inputs_ = stages_.inputs.read_pair(stages_.scene, ranks_.world());
+  summary_.tre.initial = landmarks_.initial();
+}
+
+void RegisterPipeline::build() {
+  meshes_ = build_bodies(stages_, inputs_, pair_, log_);
+}
+
+void RegisterPipeline::unload() {
+  pair_.set_material(stages_.material, stages_.material.initial_shear_modulus());
+  record(pair_.unload());
+  unloaded_ = gather_unloaded(meshes_, pair_);
+  summary_.tre.unloaded = landmarks_.evaluate(unloaded_);
+}
+
+void RegisterPipeline::update_material() {
+  const registration::SimilaritySetup similarity(stages_.similarity, ranks_.world());
+  const auto domain = similarity.domain(pair_, inputs_.scene, stages_.material_update.level());
+  const registration::MaterialUpdateResult result = stages_.material_update.run(
+      pair_, similarity, domain, stages_.material, stages_.material.initial_shear_modulus(), log_);
+  *summary_.steps += result.n_steps;
+  summary_.converged = summary_.converged && result.converged;
+  summary_.shear_modulus = result.shear_modulus;
+  summary_.lambda =
+      mechanics::lame_parameters(result.shear_modulus, stages_.material.poisson_ratio()).lambda;
+  record(result.history);
+  unloaded_ = gather_unloaded(meshes_, pair_);
+  summary_.tre.material = landmarks_.evaluate(unloaded_);
+}
+
+void RegisterPipeline::push_with_image_forces() {
+  const registration::SimilaritySetup similarity(stages_.similarity, ranks_.world());
+  const registration::ImageForceResult result =
+      stages_.image_forces.run(pair_, similarity, inputs_.scene, *summary_.shear_modulus, log_);
+  *summary_.steps += result.n_steps;
+  summary_.converged = summary_.converged && result.converged;
+  record(result.history);
+  unloaded_ = gather_unloaded(meshes_, pair_);
+  summary_.tre.image_forces = landmarks_.evaluate(unloaded_);
+}
+
+void RegisterPipeline::record(const std::array<unloading::UnloadingResult, 2>& results) {
+  for (const auto& result : results) {
+    *summary_.steps += result.n_steps;
+    summary_.converged = summary_.converged && result.converged;
+  }
+  log_.line(describe("prone", results[prone]));
+  log_.line(describe("supine", results[supine]));
+}
+
+void RegisterPipeline::record(const std::vector<registration::SimilarityRecord>& history) {
+  for (const auto& entry : history)
+    summary_.similarity.push_back({entry.stage, entry.level, entry.iteration, entry.value});
+}
+
+void RegisterPipeline::add_mesh_summaries() {
+  for (const auto state : {prone, supine}) {
+    const mesh::MeshQuality quality = mesh::measure_quality(meshes_[state]);
+    (state == prone ? summary_.prone : summary_.supine) = {quality.n_cells, quality.n_nodes,
+                                                           quality.min_quality,
+                                                           mesh::min_jacobian(unloaded_[state])};
+  }
+}
+
+void RegisterPipeline::write(const std::filesystem::path& folder) {
+  add_mesh_summaries();
+  if (!summary_.converged)
+    summary_.warnings.push_back("a simulation did not settle within 'Unloading/Maximum steps'");
+  output::write_mesh(unloaded_[prone], folder, "prone");
+  output::write_mesh(unloaded_[supine], folder, "supine");
+  landmarks_.write(folder / "landmarks.csv");
+  write_parameters(parameters_, folder / "used.prm");
+  write_images(folder);
+}
+
+void RegisterPipeline::write_images(const std::filesystem::path& folder) const {
+  const image::VoxelGrid grid = unloaded_grid({&unloaded_[prone], &unloaded_[supine]},
+                                              stages_.results.voxel_edge, stages_.results.margin);
+  const std::array<image::ScalarImage, 2>& loaded = inputs_.originals;
+  const output::DisplacementFields fields = output::displacement_fields(
+      unloaded_[prone], unloaded_[supine], grid, loaded[prone].grid, loaded[supine].grid);
+  image::write_displacement(fields.unloaded_to_prone, folder / "unloaded_to_prone.nrrd");
+  image::write_displacement(fields.unloaded_to_supine, folder / "unloaded_to_supine.nrrd");
+  image::write_displacement(fields.prone_to_supine, folder / "prone_to_supine.nrrd");
+  image::write_displacement(fields.supine_to_prone, folder / "supine_to_prone.nrrd");
+
+  const image::ScalarImage unloaded_prone = image::warp(loaded[prone], fields.unloaded_to_prone);
+  const image::ScalarImage unloaded_supine = image::warp(loaded[supine], fields.unloaded_to_supine);
+  image::write_image(unloaded_prone, folder / "prone_unloaded.nii.gz");
+  image::write_image(unloaded_supine, folder / "supine_unloaded.nii.gz");
+  if (stages_.results.pictures)
+    output::write_registration_slices(
+        {loaded[prone], loaded[supine], stages_.inputs.tissue_mask(inputs_.scene.labels[prone]),
+         stages_.inputs.tissue_mask(inputs_.scene.labels[supine]), unloaded_prone, unloaded_supine},
+        folder);
+}
+
+} // namespace prosup::pipeline

@@ -1,0 +1,100 @@
+#include "prosup/mechanics/central_differences.h"
+
+#include <deal.II/base/mpi.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "box.h"
+
+using namespace dealii;
+using namespace prosup::mechanics;
+
+namespace {
+
+/// A free block that starts with a rough velocity field; returns the largest
+/// kinetic energy over 2000 undamped steps, relative to the first.
+double energy_growth(double safety) {
+  const auto mesh = prosup::tests::make_box(MPI_COMM_WORLD, {4, 4, 4}, {20., 25., 30.});
+  const Body body(*mesh);
+  InternalForce kernel(body);
+  kernel.set_material({lame_parameters(300., 0.45)});
+  kernel.set_reference(body.vertex_positions());
+  NodeVector u, external;
+  body.initialize(u);
+  body.initialize(external);
+  CentralDifferences integrator(body, kernel);
+  integrator.set_mass(stable_mass(body, kernel, u, 1e-3, safety, 0.));
+  for (unsigned i = 0; i < 3 * body.n_owned_nodes(); ++i)
+    integrator.velocity().local_element(i) =
+        1e-3 * std::sin(7.3 * body.vertex_positions().local_element(i) + 2. * (i % 3));
+  integrator.step(external, u);
+  const double start = integrator.report().kinetic_energy;
+  double largest = start;
+  for (unsigned i = 0; i < 2000; ++i) {
+    integrator.step(external, u);
+    const double energy = integrator.report().kinetic_energy;
+    if (!std::isfinite(energy) || energy > 1e6 * start)
+      return 1e6;
+    largest = std::max(largest, energy);
+  }
+  return largest / start;
+}
+
+} // namespace
+
+TEST(CentralDifferences, StableAtTheEstimatedCriticalStep) {
+  EXPECT_LT(energy_growth(0.999), 4.);
+}
+
+TEST(CentralDifferences, EstimateIsWithinAFactorOfTwoOfTheLimit) {
+  EXPECT_GE(energy_growth(2.), 1e6);
+}
+
+TEST(CentralDifferences, MassScalingOnlyRaisesMasses) {
+  const auto mesh =
+      prosup::tests::make_box(MPI_COMM_WORLD, {4, 4, 4}, {20., 25., 30.}, [](const Point<3>& p) {
+        return Point<3>(p[0] * p[0] / 20., p[1], p[2]);
+      });
+  const Body body(*mesh);
+  InternalForce kernel(body);
+  kernel.set_material({lame_parameters(300., 0.45)});
+  kernel.set_reference(body.vertex_positions());
+  NodeVector u;
+  body.initialize(u);
+  const StableMass plain = stable_mass(body, kernel, u, 1e-3, 0.9, 0.);
+  const StableMass scaled = stable_mass(body, kernel, u, 1e-3, 0.9, 0.3);
+  EXPECT_GT(scaled.time_step, 1.2 * plain.time_step);
+  EXPECT_NEAR(scaled.scaled_fraction, 0.3, 0.05);
+  for (std::size_t node = 0; node < plain.mass.size(); ++node)
+    EXPECT_GE(scaled.mass[node], plain.mass[node] * (1. - 1e-12));
+}
+
+TEST(CentralDifferences, FallsFreelyAndFixedNodesStay) {
+  const auto mesh = prosup::tests::make_box(MPI_COMM_WORLD, {2, 2, 2}, {10., 10., 10.});
+  const Body body(*mesh);
+  InternalForce kernel(body);
+  kernel.set_material({lame_parameters(300., 0.3)});
+  kernel.set_reference(body.vertex_positions());
+  NodeVector u, weight;
+  body.initialize(u);
+  body.initialize(weight);
+  const std::vector<double> volume = kernel.lumped_volume();
+  for (unsigned node = 0; node < body.n_owned_nodes(); ++node)
+    weight.local_element(3 * node + 1) = -1e-3 * 9810. * volume[node];
+  CentralDifferences integrator(body, kernel);
+  integrator.set_mass(stable_mass(body, kernel, u, 1e-3, 0.9, 0.));
+  for (unsigned i = 0; i < 50; ++i)
+    integrator.step(weight, u);
+  // u^n = -g h^2 n (n + 1) / 2 exactly, for every node.
+  const double h = integrator.time_step();
+  for (unsigned node = 0; node < body.n_owned_nodes(); ++node)
+    EXPECT_NEAR(u.local_element(3 * node + 1), -9810. * h * h * 50. * 51. / 2., 1e-9);
+
+  CentralDifferences held(body, kernel);
+  held.set_mass(stable_mass(body, kernel, u, 1e-3, 0.9, 0.));
+  held.set_fixed_nodes(std::vector<bool>(body.n_local_nodes(), true));
+  u = 0.;
+  held.step(weight, u);
+  EXPECT_EQ(u.linfty_norm(), 0.);
+}

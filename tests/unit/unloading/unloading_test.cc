@@ -1,0 +1,205 @@
+#include "prosup/unloading/unloading.h"
+
+#include <deal.II/base/mpi.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "box.h"
+#include "prosup/core/error.h"
+#include "prosup/mechanics/material.h"
+
+using namespace dealii;
+using namespace prosup;
+using mechanics::node_value;
+using mechanics::NodeVector;
+using unloading::Unloading;
+using unloading::UnloadingParameters;
+using unloading::UnloadingResult;
+
+namespace {
+
+const Tensor<1, 3> down({0., -1., 0.});
+
+struct TightParameters : UnloadingParameters {
+  TightParameters() {
+    fixed_boundaries = {3}; // hangs from the face at high y
+    residual_tolerance = 1e-6;
+    position_tolerance = 1e-4;
+    damping_rate = 40.;
+    max_steps = 200000;
+  }
+};
+
+double extreme_height(const mechanics::Body& body, const NodeVector& positions, double sign) {
+  double extreme = -1e30;
+  for (unsigned node = 0; node < body.n_owned_nodes(); ++node)
+    extreme = std::max(extreme, sign * node_value(positions, node)[1]);
+  return sign * Utilities::MPI::max(extreme, MPI_COMM_WORLD);
+}
+
+/// Position of each vertex of the box after hanging under its weight, by a
+/// forward simulation; keyed by cell so that it does not depend on the ranks.
+struct LoadedBox {
+  std::vector<std::array<Point<3>, 4>> before, after;
+
+  Point<3> operator()(const Point<3>& X) const {
+    for (std::size_t cell = 0; cell < before.size(); ++cell)
+      for (unsigned a = 0; a < 4; ++a)
+        if (before[cell][a].distance(X) < 1e-6)
+          return after[cell][a];
+    ADD_FAILURE() << "no such vertex: " << X;
+    return X;
+  }
+};
+
+constexpr unsigned n_edges = 4;
+constexpr double edge = 15.;
+
+LoadedBox load_box(const std::vector<mechanics::LameParameters>& material, double gravity) {
+  // On one rank each: the forward simulation is not what is distributed here.
+  const auto mesh = tests::make_box(MPI_COMM_SELF, {n_edges, n_edges, n_edges}, {edge, edge, edge});
+  const mechanics::Body body(*mesh);
+  TightParameters parameters;
+  parameters.gravity = gravity;
+  Unloading loading(parameters, body, down);
+  loading.hold_reference();
+  loading.set_material(material);
+  const UnloadingResult result = loading.run();
+  EXPECT_TRUE(result.converged);
+  NodeVector after = loading.displacement();
+  after += body.vertex_positions();
+  after.update_ghost_values();
+  return {body.gather_at_cells(body.vertex_positions()), body.gather_at_cells(after)};
+}
+
+/// Largest distance between the unloaded positions found and the box the
+/// loaded one was made of, over all ranks, mm.
+double unloading_error(const LoadedBox& box, const Unloading& unloading) {
+  const mechanics::Body& body = unloading.body();
+  double largest = 0.;
+  for (unsigned node = 0; node < body.n_owned_nodes(); ++node) {
+    const Point<3> found(node_value(unloading.unloaded(), node));
+    const Point<3> loaded(node_value(body.vertex_positions(), node));
+    double nearest = 1e30;
+    for (std::size_t cell = 0; cell < box.before.size(); ++cell)
+      for (unsigned a = 0; a < 4; ++a)
+        if (box.after[cell][a].distance(loaded) < 1e-6)
+          nearest = std::min(nearest, box.before[cell][a].distance(found));
+    largest = std::max(largest, nearest);
+  }
+  return Utilities::MPI::max(largest, MPI_COMM_WORLD);
+}
+
+struct UnloadedBox {
+  double error;
+  UnloadingResult result;
+};
+
+UnloadedBox unload_box(const UnloadingParameters& parameters, const LoadedBox& box,
+                       const std::vector<mechanics::LameParameters>& material) {
+  const auto mesh =
+      tests::make_box(MPI_COMM_WORLD, {n_edges, n_edges, n_edges}, {edge, edge, edge}, box);
+  const mechanics::Body body(*mesh);
+  Unloading unloading(parameters, body, down);
+  unloading.set_material(material);
+  const UnloadingResult result = unloading.run();
+  return {unloading_error(box, unloading), result};
+}
+
+} // namespace
+
+// nu = 0: the column hangs in one dimension, P = mu (F - 1/F) = rho g s at the
+// distance s from its free end, hence F = (P + sqrt(P^2 + 4 mu^2)) / (2 mu).
+TEST(Loading, HangingColumnAgainstItsExactSolution) {
+  const double length = 100., mu = 500.;
+  const auto mesh = tests::make_box(MPI_COMM_WORLD, {1, 50, 1}, {4., length, 4.});
+  const mechanics::Body body(*mesh);
+  TightParameters parameters;
+  parameters.damping_rate = 25.;
+  parameters.scaled_fraction = 0.;
+  Unloading loading(parameters, body, down);
+  loading.hold_reference();
+  loading.set_material({mechanics::lame_parameters(mu, 0.)});
+  ASSERT_TRUE(loading.run().converged);
+  NodeVector x = loading.displacement();
+  x += body.vertex_positions();
+
+  double tip = 0.; // integral of F - 1 over the length
+  const unsigned n = 20000;
+  for (unsigned i = 0; i < n; ++i) {
+    const double P = 1e-3 * 9810. * (i + 0.5) * length / n;
+    tip += ((P + std::sqrt(P * P + 4. * mu * mu)) / (2. * mu) - 1.) * length / n;
+  }
+  EXPECT_GT(tip, 40.); // large strain
+  EXPECT_NEAR(extreme_height(body, x, -1.), -tip, 0.01);
+}
+
+// The box of the paper's appendix: 15 mm, E = 500 Pa, nu = 0.45, with a body
+// force strong enough to sag visibly.
+TEST(Unloading, RecoversTheBoxThatWasLoaded) {
+  const std::vector<mechanics::LameParameters> material{
+      mechanics::lame_parameters(500. / 2.9, 0.45)};
+  TightParameters parameters;
+  parameters.gravity = 2. * standard_gravity;
+  const LoadedBox box = load_box(material, parameters.gravity);
+  EXPECT_LT(box(Point<3>(0., 0., 0.))[1], -3.); // it sags
+  const UnloadedBox unloaded = unload_box(parameters, box, material);
+  EXPECT_TRUE(unloaded.result.converged);
+  EXPECT_LT(unloaded.error, 0.005);
+}
+
+TEST(Unloading, ResultDoesNotDependOnTheWayThere) {
+  const std::vector<mechanics::LameParameters> material{mechanics::lame_parameters(200., 0.4)};
+  TightParameters parameters;
+  const LoadedBox box = load_box(material, parameters.gravity);
+  for (const double lag : {0.05, 0.2})
+    for (const double scaled : {0., 0.5}) {
+      parameters.lag = lag;
+      parameters.scaled_fraction = scaled;
+      parameters.damping_rate = lag < 0.1 ? 60. : 30.;
+      EXPECT_LT(unload_box(parameters, box, material).error, 0.005) << lag << " " << scaled;
+    }
+}
+
+TEST(Unloading, GoesBackAndGivesUpWithADiagnosis) {
+  const std::vector<mechanics::LameParameters> jelly{mechanics::lame_parameters(4., 0.45)};
+  const auto mesh = tests::make_box(MPI_COMM_WORLD, {4, 4, 4}, {60., 60., 60.});
+  const mechanics::Body body(*mesh);
+  TightParameters parameters;
+  parameters.max_retries = 2;
+  Unloading unloading(parameters, body, -down, "the test body");
+  unloading.set_material(jelly);
+  try {
+    unloading.run();
+    FAIL() << "a body this soft has no unloaded state";
+  } catch (const DivergenceError& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find("the test body diverged at step"), std::string::npos) << message;
+    EXPECT_NE(message.find("2 retries"), std::string::npos) << message;
+    EXPECT_EQ(message.find("nan"), std::string::npos) << message;
+  }
+  for (unsigned i = 0; i < 3 * body.n_owned_nodes(); ++i)
+    EXPECT_TRUE(std::isfinite(unloading.unloaded().local_element(i)));
+}
+
+TEST(Unloading, StepThatIsTooLargeIsAnsweredBySmallerOnes) {
+  const std::vector<mechanics::LameParameters> material{mechanics::lame_parameters(300., 0.45)};
+  TightParameters parameters;
+  const LoadedBox box = load_box(material, parameters.gravity);
+  parameters.step_safety = 2.;
+  parameters.scaled_fraction = 0.;
+  const UnloadedBox unloaded = unload_box(parameters, box, material);
+  EXPECT_GT(unloaded.result.n_retries, 0u);
+  EXPECT_TRUE(unloaded.result.converged);
+  EXPECT_LT(unloaded.error, 0.005);
+}
+
+TEST(Unloading, RejectsWhatCannotBeSimulated) {
+  const auto mesh = tests::make_box(MPI_COMM_WORLD, {2, 2, 2}, {10., 10., 10.});
+  const mechanics::Body body(*mesh);
+  TightParameters parameters;
+  EXPECT_THROW(Unloading(parameters, body, Tensor<1, 3>()), Error);
+  parameters.fixed_boundaries = {77};
+  EXPECT_THROW(Unloading(parameters, body, down), Error);
+}
