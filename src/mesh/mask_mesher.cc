@@ -79,21 +79,25 @@ void to_physical(TetMesh& mesh, const image::VoxelGrid& grid) {
 
 } // namespace
 
-MaskMesher::MaskMesher() : ParameterAcceptor("Meshing") {
-  add_parameter("Edge length", edge_length, "h, wanted edge length of the tetrahedra. Units: mm.",
-                prm, Patterns::Double(0.1, 100.));
-  add_parameter("Tissue labels", tissue_labels,
-                "Labels of the tissues that are meshed: fat and gland. Units: none.", prm,
-                Patterns::List(Patterns::Integer(1, 255), 1, 255));
-  add_parameter("Chest label", chest_label,
-                "Label of chest wall and muscle: where tissue borders on it the boundary is the "
-                "chest wall. Units: none.",
-                prm, Patterns::Integer(0, 255));
-  add_parameter("Smoothing", smoothing,
-                "sigma/s, standard deviation of the Gaussian that smooths the distance to the "
-                "mask, over the largest voxel spacing s; one removes the stairs of the voxels. "
-                "Units: none.",
-                prm, Patterns::Double(0., 10.));
+MaskMesher::MaskMesher() : ParameterAcceptor("Meshing") {}
+
+void MaskMesher::declare_parameters(ParameterHandler& prm) {
+  prm.add_parameter("Edge length", edge_length,
+                    "h, wanted edge length of the tetrahedra. Units: mm.",
+                    Patterns::Double(0.1, 100.));
+  prm.add_parameter("Tissue labels", tissue_labels,
+                    "Labels of the tissues that are meshed: fat and gland. Units: none.",
+                    Patterns::List(Patterns::Integer(1, 255), 1, 255));
+  prm.add_parameter(
+      "Chest label", chest_label,
+      "Label of chest wall and muscle: where tissue borders on it the boundary is the "
+      "chest wall. Units: none.",
+      Patterns::Integer(0, 255));
+  prm.add_parameter("Smoothing", smoothing,
+                    "sigma/s, standard deviation of the Gaussian that smooths the distance to the "
+                    "mask, over the largest voxel spacing s; one removes the stairs of the voxels. "
+                    "Units: none.",
+                    Patterns::Double(0., 10.));
 }
 
 TetMesh MaskMesher::run(const image::LabelImage& labels) const {

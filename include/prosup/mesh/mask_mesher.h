@@ -18,6 +18,7 @@ namespace prosup::mesh {
 class MaskMesher : public dealii::ParameterAcceptor {
 public:
   MaskMesher();
+  void declare_parameters(dealii::ParameterHandler& prm) override;
 
   /// The mesh in physical space (LPS, mm). The same labels and parameters give
   /// the same mesh.
