@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdarg>
 #include <cstdio>
 
@@ -26,8 +27,13 @@ void Log::line(const std::string& text) const {
 }
 
 void Log::progress(const std::string& text) const {
-  if (!on_terminal_)
+  // What changes faster than it can be read only costs time.
+  constexpr std::chrono::milliseconds shortest_interval(200);
+  static std::chrono::steady_clock::time_point last;
+  const auto now = std::chrono::steady_clock::now();
+  if (!on_terminal_ || now - last < shortest_interval)
     return;
+  last = now;
   std::printf("%s%s", erase_line, text.c_str());
   std::fflush(stdout);
 }

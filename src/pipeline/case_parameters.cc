@@ -58,10 +58,23 @@ void CaseParameters::declare_parameters(ParameterHandler& prm) {
                     Patterns::Selection("fe"));
 }
 
-void CaseParameters::resolve(const std::filesystem::path& folder) {
-  for (std::string* file : {&images[0], &images[1], &labels[0], &labels[1], &landmarks})
-    if (!file->empty() && std::filesystem::path(*file).is_relative())
-      *file = (folder / *file).lexically_normal().string();
+void CaseParameters::parse_parameters(ParameterHandler&) {
+  for (unsigned s = 0; s < 2; ++s)
+    if (!(gravity[s].norm() > 0.))
+      throw Error("The direction 'Case/" + capitalized(state_names[s]) +
+                  " gravity' is 0,0,0; give a direction in LPS, such as 0,-1,0 for prone and "
+                  "0,1,0 for supine.");
+}
+
+void CaseParameters::resolve(const std::filesystem::path& folder, ParameterHandler& prm) {
+  prm.enter_subsection(get_section_name());
+  for (const char* entry :
+       {"Prone image", "Prone labels", "Supine image", "Supine labels", "Landmarks"}) {
+    const std::filesystem::path file = prm.get(entry);
+    if (!file.empty() && file.is_relative())
+      prm.set(entry, (folder / file).lexically_normal().string());
+  }
+  prm.leave_subsection();
 }
 
 void CaseParameters::require_pair() const {

@@ -88,7 +88,9 @@ bool prepare(const Options& options, Stages& stages, dealii::ParameterHandler& p
   overrides.insert(overrides.end(), options.overrides.begin(), options.overrides.end());
   on_every_rank(world, [&] {
     read_parameters(parameters, options.file, overrides);
-    stages.scene.resolve(fs::absolute(options.file).parent_path());
+    stages.scene.resolve(options.file.empty() ? fs::current_path()
+                                              : fs::absolute(options.file).parent_path(),
+                         parameters);
   });
   if (options.write_prm.empty())
     return true;

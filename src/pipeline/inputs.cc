@@ -59,10 +59,6 @@ double InputReader::isotropic_edge(const image::VoxelGrid& grid) const {
   return longest <= largest_anisotropy * shortest ? 0. : std::max(voxel_edge_, shortest);
 }
 
-LabelImage InputReader::tissue_mask(const LabelImage& labels) const {
-  return image::select_labels(labels, tissue_labels_);
-}
-
 LabelImage InputReader::checked_labels(const std::string& file) const {
   LabelImage labels = image::read_labels(file);
   if (std::all_of(labels.values.begin(), labels.values.end(),
@@ -71,7 +67,7 @@ LabelImage InputReader::checked_labels(const std::string& file) const {
                 "' is empty: all its voxels are 0; it has to mark the "
                 "chest wall, fat and gland.");
   image::require_label(labels, chest_label_, "the chest wall ('Images/Chest label')", file);
-  const LabelImage tissue = tissue_mask(labels);
+  const LabelImage tissue = image::select_labels(labels, tissue_labels_);
   if (std::none_of(tissue.values.begin(), tissue.values.end(), [](auto v) { return v != 0; }))
     image::require_label(labels, tissue_labels_.front(), "breast tissue ('Images/Tissue labels')",
                          file);
@@ -85,24 +81,27 @@ LabelImage InputReader::read_labels(const CaseParameters& parameters, unsigned s
   return edge > 0. ? image::resample_isotropic(labels, edge) : labels;
 }
 
-std::optional<ScalarImage> InputReader::read_image(const CaseParameters& parameters,
-                                                   unsigned state) const {
+OriginalImage InputReader::read_original(const CaseParameters& parameters, unsigned state,
+                                         const LabelImage& labels) const {
   const std::string& file = parameters.images[state];
-  if (file.empty())
-    return {};
   ScalarImage image = image::read_image(file);
-  image::check_labels_fit(image, image::read_labels(parameters.labels[state]), file,
-                          parameters.labels[state]);
-  return image;
+  image::check_labels_fit(image, labels, file, parameters.labels[state]);
+  return {std::move(image), image::select_labels(labels, tissue_labels_)};
+}
+
+std::optional<OriginalImage> InputReader::read_image(const CaseParameters& parameters,
+                                                     unsigned state) const {
+  if (parameters.images[state].empty())
+    return {};
+  return read_original(parameters, state, image::read_labels(parameters.labels[state]));
 }
 
 void InputReader::prepare(const CaseParameters& parameters, unsigned state, Inputs& inputs) const {
-  ScalarImage& original = inputs.originals[state];
-  original = image::read_image(parameters.images[state]);
   LabelImage labels = checked_labels(parameters.labels[state]);
-  image::check_labels_fit(original, labels, parameters.images[state], parameters.labels[state]);
+  inputs.originals[state] = read_original(parameters, state, labels);
+  const auto& [original, breast] = inputs.originals[state];
   const image::IntensityRange range =
-      image::robust_range(original, tissue_mask(labels), low_percentile_, high_percentile_);
+      image::robust_range(original, breast, low_percentile_, high_percentile_);
   ScalarImage& scaled = inputs.images[state];
   scaled = image::rescale(original, range);
   const double edge = isotropic_edge(original.grid);

@@ -156,23 +156,25 @@ void RegisterPipeline::write(const std::filesystem::path& folder) {
 void RegisterPipeline::write_images(const std::filesystem::path& folder) const {
   const image::VoxelGrid grid = unloaded_grid({&unloaded_[prone], &unloaded_[supine]},
                                               stages_.results.voxel_edge, stages_.results.margin);
-  const std::array<image::ScalarImage, 2>& loaded = inputs_.originals;
+  const OriginalImage &loaded_prone = inputs_.originals[prone],
+                      &loaded_supine = inputs_.originals[supine];
   const output::DisplacementFields fields = output::displacement_fields(
-      unloaded_[prone], unloaded_[supine], grid, loaded[prone].grid, loaded[supine].grid);
+      unloaded_[prone], unloaded_[supine], grid, loaded_prone.image.grid, loaded_supine.image.grid);
   image::write_displacement(fields.unloaded_to_prone, folder / "unloaded_to_prone.nrrd");
   image::write_displacement(fields.unloaded_to_supine, folder / "unloaded_to_supine.nrrd");
   image::write_displacement(fields.prone_to_supine, folder / "prone_to_supine.nrrd");
   image::write_displacement(fields.supine_to_prone, folder / "supine_to_prone.nrrd");
 
-  const image::ScalarImage unloaded_prone = image::warp(loaded[prone], fields.unloaded_to_prone);
-  const image::ScalarImage unloaded_supine = image::warp(loaded[supine], fields.unloaded_to_supine);
+  const image::ScalarImage unloaded_prone =
+      image::warp(loaded_prone.image, fields.unloaded_to_prone);
+  const image::ScalarImage unloaded_supine =
+      image::warp(loaded_supine.image, fields.unloaded_to_supine);
   image::write_image(unloaded_prone, folder / "prone_unloaded.nii.gz");
   image::write_image(unloaded_supine, folder / "supine_unloaded.nii.gz");
   if (stages_.results.pictures)
-    output::write_registration_slices(
-        {loaded[prone], loaded[supine], stages_.inputs.tissue_mask(inputs_.scene.labels[prone]),
-         stages_.inputs.tissue_mask(inputs_.scene.labels[supine]), unloaded_prone, unloaded_supine},
-        folder);
+    output::write_registration_slices({loaded_prone.image, loaded_supine.image, loaded_prone.breast,
+                                       loaded_supine.breast, unloaded_prone, unloaded_supine},
+                                      folder);
 }
 
 } // namespace prosup::pipeline

@@ -55,7 +55,7 @@ private:
   void read() {
     on_root(world_, [&] {
       labels_ = stages_.inputs.read_labels(stages_.scene, state_);
-      image_ = stages_.inputs.read_image(stages_.scene, state_);
+      original_ = stages_.inputs.read_image(stages_.scene, state_);
     });
   }
 
@@ -84,13 +84,12 @@ private:
         output::unloaded_to_loaded(grid, mesh_, evaluation::PointMapper(mesh_));
     const std::string name = state_names[state_];
     image::write_displacement(field, folder / ("unloaded_to_" + name + ".nrrd"));
-    if (!image_)
+    if (!original_)
       return;
-    const image::ScalarImage unloaded = image::warp(*image_, field);
+    const image::ScalarImage unloaded = image::warp(original_->image, field);
     image::write_image(unloaded, folder / (name + "_unloaded.nii.gz"));
     if (stages_.results.pictures)
-      output::write_unloading_slices(*image_, stages_.inputs.tissue_mask(labels_), unloaded,
-                                     folder);
+      output::write_unloading_slices(original_->image, original_->breast, unloaded, folder);
   }
 
   output::Summary summary(double memory) const {
@@ -116,7 +115,7 @@ private:
   const Log log_;
   StageTimer timer_;
   image::LabelImage labels_;
-  std::optional<image::ScalarImage> image_;
+  std::optional<OriginalImage> original_;
   mesh::UnloadedMesh mesh_;
   std::unique_ptr<mechanics::Body> body_;
   UnloadingResult result_;

@@ -41,6 +41,9 @@ public:
         weight *= 0.5;
         if (++n_rejected > max_rejections)
           break;
+        // The state may have been on its way past where its forces hold it.
+        relax(result);
+        current = evaluate();
         continue;
       }
       n_rejected = 0;
@@ -82,10 +85,15 @@ private:
     }
   }
 
+  void relax(ImageForceResult& result) {
+    const auto unloaded = pair_.unload(parameters_.steps_per_update_);
+    result.n_steps += unloaded[prone].n_steps + unloaded[supine].n_steps;
+  }
+
   void record(ImageForceResult& result, unsigned iteration, double weight, double value) const {
     result.history.push_back({"image_forces", level_, iteration, 0., weight, value});
-    log_.progress(format("  image forces: level %g mm, update %u, weight %.1f Pa, SSD %.1f", level_,
-                         iteration, weight, value));
+    log_.line(format("  image forces: level %g mm, update %u, weight %.1f Pa, SSD %.1f", level_,
+                     iteration, weight, value));
   }
 
   const ImageForceRegistration& parameters_;
