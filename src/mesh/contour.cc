@@ -44,18 +44,20 @@ ScalarImage padded_samples(const LevelSet& level_set, double spacing_mm) {
 }
 
 /// Keeps the largest connected set of samples inside, and none of its cavities.
-/// Returns false if no sample is inside.
-bool keep_one_body(ScalarImage& samples) {
+/// Returns the number of its samples over that of the samples inside before, or
+/// zero if there is none.
+double keep_one_body(ScalarImage& samples) {
   LabelImage inside(samples.grid);
   std::transform(samples.values.begin(), samples.values.end(), inside.values.begin(),
                  [](float phi) { return phi < 0.f ? 1 : 0; });
   const LabelImage body = image::fill_holes(image::largest_component(inside));
-  bool any = false;
+  double n_inside = 0., n_body = 0.;
   for (std::size_t v = 0; v < body.values.size(); ++v) {
     samples.values[v] = std::copysign(samples.values[v], body.values[v] ? -1.f : 1.f);
-    any = any || body.values[v];
+    n_inside += inside.values[v];
+    n_body += body.values[v];
   }
-  return any;
+  return n_inside > 0. ? n_body / n_inside : 0.;
 }
 
 vtkNew<vtkPolyData> marching_cubes(const ScalarImage& samples) {
@@ -131,16 +133,18 @@ TriangleMesh welded(vtkPolyData& polygons, const std::array<Point<3>, 2>& box, d
 
 } // namespace
 
-TriangleMesh contour(const LevelSet& phi, double spacing_mm) {
+Contour contour(const LevelSet& phi, double spacing_mm) {
+  Contour result;
   ScalarImage samples = padded_samples(phi, spacing_mm);
-  if (!keep_one_body(samples))
-    return {};
+  result.body_fraction = keep_one_body(samples);
+  if (result.body_fraction == 0.)
+    return result;
   const auto polygons = marching_cubes(samples);
-  TriangleMesh surface = welded(*polygons, phi.box(), 1e-3 * spacing_mm);
-  if (enclosed_volume(surface) < 0.)
-    for (auto& triangle : surface.triangles)
+  result.surface = welded(*polygons, phi.box(), 1e-3 * spacing_mm);
+  if (enclosed_volume(result.surface) < 0.)
+    for (auto& triangle : result.surface.triangles)
       std::swap(triangle[1], triangle[2]);
-  return surface;
+  return result;
 }
 
 } // namespace prosup::mesh

@@ -105,7 +105,7 @@ ScalarImage smooth_distance(const LabelImage& mask, double sigma_mm) {
 } // namespace
 
 LevelSet::LevelSet(const LabelImage& mask, double sigma_mm)
-    : distance_(smooth_distance(mask, sigma_mm)), sampler_(distance_) {
+    : distance_(smooth_distance(mask, sigma_mm)), sampler_(distance_), sigma_(sigma_mm) {
   const VoxelGrid& grid = distance_.grid;
   for (unsigned d = 0; d < 3; ++d) {
     box_[0][d] = grid.origin[d] + 0.5 * grid.spacing[d];

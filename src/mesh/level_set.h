@@ -30,6 +30,9 @@ public:
   /// image it ends at the outer faces of the voxels, elsewhere outside the mask.
   const std::array<image::Point<3>, 2>& box() const { return box_; }
 
+  /// Standard deviation of the smoothing, mm.
+  double sigma() const { return sigma_; }
+
   /// Volume of the mask, mm^3.
   double mask_volume() const { return mask_volume_; }
 
@@ -37,6 +40,7 @@ private:
   image::ScalarImage distance_;
   image::Sampler sampler_;
   std::array<image::Point<3>, 2> box_;
+  double sigma_;
   double mask_volume_ = 0.;
 };
 

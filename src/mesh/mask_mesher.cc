@@ -3,9 +3,11 @@
 #include <deal.II/base/patterns.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "contour.h"
 #include "labelling.h"
+#include "node_relocation.h"
 #include "prosup/core/error.h"
 #include "prosup/core/log.h"
 #include "prosup/image/filters.h"
@@ -21,6 +23,17 @@ namespace {
 /// Cells of the contour per wanted edge: fine enough to keep the shape, coarse
 /// enough to be quick.
 constexpr double contour_spacing = 0.6;
+
+/// Smallest height of a cell that is aimed at, over the edge length; 0.82 is
+/// that of a regular tetrahedron.
+constexpr double wanted_height = 0.45;
+
+/// Smallest volume that is worth meshing, in cubes of the edge length.
+constexpr double smallest_body = 4.;
+
+/// Largest distance over the edge length by which the surface moves to make up
+/// for chords: that of a sphere of one and a half edge lengths.
+constexpr double largest_shift = 0.06;
 
 std::string joined(const std::vector<unsigned>& labels) {
   std::string result;
@@ -48,21 +61,40 @@ image::LabelImage breast_mask(const image::LabelImage& labels,
   return image::fill_holes(image::largest_component(tissue));
 }
 
-/// The surface at the wanted edge length, its volume that of the mask: chords
-/// of a convex surface lie inside it, so the vertices move out a little.
-TriangleMesh smooth_surface(const LevelSet& phi, double edge_length) {
-  const TriangleMesh fine = contour(phi, contour_spacing * edge_length);
-  if (fine.triangles.empty())
-    return fine;
-  SurfaceRemesher remesher(fine, phi, edge_length);
-  remesher.run();
+[[noreturn]] void refuse(double volume, double edge_length) {
+  throw Error(format("The breast mask (%.3g ml) is too small or too thin to be meshed with an "
+                     "edge length of %g mm; choose a smaller \"Meshing/Edge length\".",
+                     1e-3 * volume, edge_length));
+}
+
+/// Moves the free surface so that it encloses `volume`: the chords of a convex
+/// surface lie inside it, and smoothing shrinks it.
+void restore_volume(SurfaceRemesher& remesher, double volume, double largest_shift) {
   double level = 0.;
   for (unsigned iteration = 0; iteration < 2; ++iteration) {
     const TriangleMesh surface = remesher.result();
-    level += (phi.mask_volume() - enclosed_volume(surface)) / free_area(surface);
+    level += (volume - enclosed_volume(surface)) / free_area(surface);
+    level = std::clamp(level, -largest_shift, largest_shift);
     remesher.move_to_level(level);
   }
-  return remesher.result();
+}
+
+/// The mesh in the frame of the grid, without tissues and boundary parts.
+TetMesh mesh_level_set(const LevelSet& phi, double edge_length) {
+  const Contour fine = contour(phi, contour_spacing * edge_length);
+  if (fine.surface.triangles.empty())
+    refuse(phi.mask_volume(), edge_length);
+  SurfaceRemesher remesher(fine.surface, phi, edge_length);
+  remesher.run();
+  restore_volume(remesher, fine.body_fraction * phi.mask_volume(),
+                 largest_shift * edge_length + 0.25 * phi.sigma());
+  const TriangleMesh surface = remesher.result();
+  if (enclosed_volume(surface) < smallest_body * std::pow(edge_length, 3))
+    refuse(phi.mask_volume(), edge_length);
+  TetMesh mesh = fill_with_tets(surface, edge_length);
+  raise_small_heights(mesh, node_patches(surface), remesher.projection(),
+                      wanted_height * edge_length);
+  return mesh;
 }
 
 /// Moves a mesh from the frame of the grid to physical space.
@@ -105,12 +137,7 @@ TetMesh MaskMesher::run(const image::LabelImage& labels) const {
   const auto& spacing = labels.grid.spacing;
   const LevelSet phi(breast_mask(upright, tissue_labels),
                      smoothing * std::max({spacing[0], spacing[1], spacing[2]}));
-  const TriangleMesh surface = smooth_surface(phi, edge_length);
-  if (surface.triangles.empty() || enclosed_volume(surface) < 0.5 * phi.mask_volume())
-    throw Error(format("The breast mask (%.3g ml) is too small or too thin to be meshed with an "
-                       "edge length of %g mm; choose a smaller \"Meshing/Edge length\".",
-                       1e-3 * phi.mask_volume(), edge_length));
-  TetMesh mesh = fill_with_tets(surface, edge_length);
+  TetMesh mesh = mesh_level_set(phi, edge_length);
   mesh.tissue = sample_tissue(mesh, upright, tissue_labels);
   mesh.boundary_faces = find_boundary(mesh, upright, tissue_labels, chest_label);
   to_physical(mesh, labels.grid);

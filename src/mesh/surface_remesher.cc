@@ -11,7 +11,6 @@ using Vector = dealii::Tensor<1, 3>;
 using Edge = SurfaceTopology::Edge;
 
 constexpr unsigned nobody = ~0u;
-constexpr unsigned on_free_surface = 1u << TriangleMesh::free_surface;
 
 Vector area_vector(const Point<3>& a, const Point<3>& b, const Point<3>& c) {
   return 0.5 * cross_product_3d(b - a, c - a);
@@ -40,7 +39,7 @@ bool is_acceptable(const Vector& before, double flatness_before, const Point<3>&
 
 SurfaceRemesher::SurfaceRemesher(const TriangleMesh& surface, const LevelSet& phi,
                                  double edge_length)
-    : topology_(surface), phi_(phi), edge_length_(edge_length) {}
+    : topology_(surface), projection_(phi, 0.5 * edge_length), edge_length_(edge_length) {}
 
 void SurfaceRemesher::run() {
   constexpr unsigned n_passes = 6, n_final_passes = 4;
@@ -57,10 +56,10 @@ void SurfaceRemesher::run() {
 }
 
 void SurfaceRemesher::move_to_level(double level) {
-  level_ = level;
+  projection_.set_level(level);
   for (unsigned v = 0; v < topology_.n_vertices(); ++v)
     if (topology_.is_used(v)) {
-      const Point<3> target = projected(topology_.point(v), topology_.patches(v));
+      const Point<3> target = projection_(topology_.point(v), topology_.patches(v));
       if (may_move(v, target, nobody))
         topology_.move(v, target);
     }
@@ -72,7 +71,7 @@ void SurfaceRemesher::split_long_edges() {
   for (const auto& [a, b] : topology_.edges())
     if (topology_.length(a, b) > longest && topology_.find_edge(a, b, edge)) {
       const Point<3> middle(0.5 * (topology_.point(a) + topology_.point(b)));
-      topology_.split(edge, projected(middle, topology_.patches(edge)));
+      topology_.split(edge, projection_(middle, topology_.patches(edge)));
     }
 }
 
@@ -109,7 +108,7 @@ bool SurfaceRemesher::collapse(unsigned removed, unsigned kept) {
   Point<3> target = topology_.point(kept);
   if (around_removed == topology_.patches(kept) &&
       topology_.crease_neighbours(kept).size() == n_creases)
-    target = projected(Point<3>(0.5 * (topology_.point(removed) + target)), around_removed);
+    target = projection_(Point<3>(0.5 * (topology_.point(removed) + target)), around_removed);
   const auto too_far = [&](unsigned v) {
     return (topology_.point(v) - target).norm() > 4. / 3. * edge_length_;
   };
@@ -156,7 +155,7 @@ bool SurfaceRemesher::flip_helps(const Edge& edge) const {
 void SurfaceRemesher::relax() {
   for (unsigned v = 0; v < topology_.n_vertices(); ++v)
     if (topology_.is_used(v)) {
-      const Point<3> target = projected(relaxed_position(v), topology_.patches(v));
+      const Point<3> target = projection_(relaxed_position(v), topology_.patches(v));
       if (may_move(v, target, nobody))
         topology_.move(v, target);
     }
@@ -196,35 +195,6 @@ bool SurfaceRemesher::may_move(unsigned vertex, const Point<3>& target, unsigned
       return false;
   }
   return true;
-}
-
-Point<3> SurfaceRemesher::projected(const Point<3>& x, unsigned patches) const {
-  Point<3> result = x;
-  bool fixed[3] = {false, false, false};
-  for (unsigned p = 0; p < TriangleMesh::free_surface; ++p)
-    if (patches & 1u << p) {
-      fixed[p / 2] = true;
-      result[p / 2] = phi_.box()[p % 2][p / 2];
-    }
-  if (!(patches & on_free_surface))
-    return result;
-  const double farthest = 0.5 * edge_length_, tolerance = 1e-3 * edge_length_;
-  for (unsigned iteration = 0; iteration < 10; ++iteration) {
-    Vector gradient;
-    const double distance = phi_.value_and_gradient(result, gradient) - level_;
-    if (std::abs(distance) < tolerance)
-      return result;
-    for (unsigned d = 0; d < 3; ++d)
-      if (fixed[d])
-        gradient[d] = 0.;
-    // Flatter than this, the level set is not near in the directions left.
-    if (gradient.norm_square() < 0.04)
-      break;
-    result -= distance / gradient.norm_square() * gradient;
-    if ((result - x).norm() > farthest)
-      break;
-  }
-  return x;
 }
 
 } // namespace prosup::mesh

@@ -1,7 +1,7 @@
 #ifndef PROSUP_MESH_SURFACE_REMESHER_H
 #define PROSUP_MESH_SURFACE_REMESHER_H
 
-#include "level_set.h"
+#include "surface_projection.h"
 #include "surface_topology.h"
 #include "triangle_mesh.h"
 
@@ -22,6 +22,9 @@ public:
   /// Moves the free surface to phi = level without changing the connections.
   void move_to_level(double level);
 
+  /// The projection to the level last moved to.
+  const SurfaceProjection& projection() const { return projection_; }
+
   TriangleMesh result() const { return topology_.compressed(); }
 
 private:
@@ -38,13 +41,9 @@ private:
   /// their orientation and some area when it moves to `target`.
   bool may_move(unsigned vertex, const Point<3>& target, unsigned except) const;
 
-  /// The nearest point of all patches in the set `patches`, or `x` if none is near.
-  Point<3> projected(const Point<3>& x, unsigned patches) const;
-
   SurfaceTopology topology_;
-  const LevelSet& phi_;
+  SurfaceProjection projection_;
   double edge_length_;
-  double level_ = 0.;
 };
 
 } // namespace prosup::mesh

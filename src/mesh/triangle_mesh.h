@@ -29,6 +29,15 @@ inline double enclosed_volume(const TriangleMesh& surface) {
   return volume;
 }
 
+/// The set of patches around each node, bit p for patch p.
+inline std::vector<unsigned> node_patches(const TriangleMesh& surface) {
+  std::vector<unsigned> patches(surface.points.size(), 0u);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    for (const unsigned node : surface.triangles[t])
+      patches[node] |= 1u << surface.patch[t];
+  return patches;
+}
+
 /// Area of the free surface, mm^2.
 inline double free_area(const TriangleMesh& surface) {
   double area = 0.;
