@@ -16,9 +16,12 @@ class CaseParameters : public dealii::ParameterAcceptor {
 public:
   CaseParameters();
   void declare_parameters(dealii::ParameterHandler& prm) override;
+  /// @throws Error if a gravity has no direction.
+  void parse_parameters(dealii::ParameterHandler& prm) override;
 
-  /// Makes the file names absolute. `folder` is that of the parameter file.
-  void resolve(const std::filesystem::path& folder);
+  /// Makes the file names absolute, here and in `prm`, so that what is written of
+  /// it can be read from any folder. `folder` is that of the parameter file.
+  void resolve(const std::filesystem::path& folder, dealii::ParameterHandler& prm);
 
   /// @throws Error if an input that `register` needs is not given.
   void require_pair() const;

@@ -13,11 +13,17 @@
 
 namespace prosup::pipeline {
 
+/// An image as it was read, and the mask of the breast on its voxels.
+struct OriginalImage {
+  image::ScalarImage image;
+  image::LabelImage breast;
+};
+
 /// The images of a case, ready for use.
 struct Inputs {
-  std::array<image::ScalarImage, 2> originals; ///< as read, on rank 0 only
-  std::array<image::ScalarImage, 2> images;    ///< isotropic, scaled to [0, 1]
-  similarity::Scene scene;                     ///< isotropic labels
+  std::array<OriginalImage, 2> originals;   ///< on rank 0 only
+  std::array<image::ScalarImage, 2> images; ///< isotropic, scaled to [0, 1]
+  similarity::Scene scene;                  ///< isotropic labels
 };
 
 /// Reads and prepares images and label images, section "Images".
@@ -25,9 +31,6 @@ class InputReader : public dealii::ParameterAcceptor {
 public:
   InputReader();
   void declare_parameters(dealii::ParameterHandler& prm) override;
-
-  /// Mask of the voxels with a tissue label.
-  image::LabelImage tissue_mask(const image::LabelImage& labels) const;
 
   /// Both pairs; the same on all ranks. @throws Error for files that are
   /// missing, unreadable or do not fit, and labels that are not there.
@@ -38,10 +41,11 @@ public:
 
   /// The image of one state as it is, checked against its labels, or nothing if
   /// none is given; for one rank.
-  std::optional<image::ScalarImage> read_image(const CaseParameters& parameters,
-                                               unsigned state) const;
+  std::optional<OriginalImage> read_image(const CaseParameters& parameters, unsigned state) const;
 
 private:
+  OriginalImage read_original(const CaseParameters& parameters, unsigned state,
+                              const image::LabelImage& labels) const;
   void prepare(const CaseParameters& parameters, unsigned state, Inputs& inputs) const;
   image::LabelImage checked_labels(const std::string& file) const;
   double isotropic_edge(const image::VoxelGrid& grid) const;
