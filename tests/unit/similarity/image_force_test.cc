@@ -1,0 +1,168 @@
+#include "prosup/similarity/image_force.h"
+
+#include <deal.II/base/mpi.h>
+#include <gtest/gtest.h>
+
+#include "prosup/core/error.h"
+#include "prosup/image/sampling.h"
+#include "prosup/similarity/domain.h"
+#include "prosup/similarity/voxel_map.h"
+#include "textured_pair.h"
+
+using namespace dealii;
+using namespace prosup;
+using mechanics::node_value;
+using similarity::ImageForce;
+using similarity::make_metric;
+using similarity::prone;
+using similarity::SimilarityResult;
+using similarity::supine;
+using tests::TexturedPair;
+
+namespace {
+
+Point<3> stretched(const Point<3>& X) {
+  return Point<3>(X[0] + 2. * std::sin(0.05 * X[1]), 1.15 * X[1], X[2] - 0.002 * X[1] * X[2]);
+}
+
+Point<3> flattened(const Point<3>& X) {
+  return Point<3>(1.05 * X[0] - 1., 0.85 * X[1], X[2] + 1.5 * std::sin(0.06 * X[0]));
+}
+
+/// A smooth direction in which the loaded nodes are moved.
+Tensor<1, 3> direction(const Point<3>& X) {
+  return Tensor<1, 3>({std::sin(0.08 * X[1] + 0.3), std::cos(0.07 * X[2]), 0.5 - 0.02 * X[0]});
+}
+
+double value_moved(unsigned state, double distance, unsigned n_layers) {
+  const auto moved = [&](const TexturedPair::Map& map) {
+    return [=](const Point<3>& X) { return map(X) + distance * direction(X); };
+  };
+  const TexturedPair pair(state == prone ? moved(stretched) : TexturedPair::Map(stretched),
+                          state == supine ? moved(flattened) : TexturedPair::Map(flattened));
+  return ImageForce(make_metric("ssd"), MPI_COMM_WORLD)
+      .evaluate(TexturedPair::domain(2., n_layers), pair.states())
+      .value;
+}
+
+} // namespace
+
+TEST(ImageForce, IsMinusTheDerivativeOfTheSsd) {
+  const TexturedPair pair(stretched, flattened);
+  for (const unsigned n_layers : {0u, 2u}) {
+    const SimilarityResult result =
+        ImageForce(make_metric("ssd"), MPI_COMM_WORLD)
+            .evaluate(TexturedPair::domain(2., n_layers), pair.states());
+    for (const unsigned state : {0u, 1u}) {
+      double work = 0.;
+      for (unsigned node = 0; node < pair.bodies[state]->n_owned_nodes(); ++node)
+        work += node_value(result.forces[state], node) *
+                direction(Point<3>(node_value(pair.unloaded[state], node)));
+      work = Utilities::MPI::sum(work, MPI_COMM_WORLD);
+      const double step = 1e-3;
+      const double slope =
+          (value_moved(state, step, n_layers) - value_moved(state, -step, n_layers)) / (2. * step);
+      EXPECT_NEAR(work, -slope, 2e-3 * std::abs(slope)) << "state " << state;
+      EXPECT_GT(std::abs(slope), 1.);
+    }
+  }
+}
+
+TEST(ImageForce, NodalForcesSumToTheVoxelForces) {
+  const TexturedPair pair(stretched, flattened);
+  const auto domain = TexturedPair::domain(2., 1);
+  const ImageForce force(make_metric("ssd"), MPI_COMM_WORLD);
+  const auto states = pair.states();
+  const SimilarityResult result = force.evaluate(domain, states);
+  const auto warped = force.warp(domain, states);
+  for (const unsigned s : {0u, 1u}) {
+    Tensor<1, 3> nodal, voxels;
+    for (unsigned node = 0; node < pair.bodies[s]->n_owned_nodes(); ++node)
+      nodal += node_value(result.forces[s], node);
+    const similarity::VoxelMap map(domain.grid, *pair.bodies[s], pair.unloaded[s], domain.n_layers);
+    mechanics::NodeVector u = pair.unloaded[s];
+    for (unsigned i = 0; i < 3 * pair.bodies[s]->n_local_nodes(); ++i)
+      u.local_element(i) =
+          pair.bodies[s]->vertex_positions().local_element(i) - pair.unloaded[s].local_element(i);
+    const image::Sampler sampler(pair.images[s]);
+    for (const auto& voxel : map.voxels()) {
+      Tensor<1, 3> gradient;
+      sampler.value_and_gradient(map.loaded_position(voxel, u), gradient);
+      const double difference = warped.values[s][voxel.index] - warped.values[1 - s][voxel.index];
+      if (warped.in_domain[voxel.index])
+        voxels -= domain.grid.voxel_volume() * difference * gradient;
+    }
+    for (unsigned c = 0; c < 3; ++c) {
+      const double sum = Utilities::MPI::sum(voxels[c], MPI_COMM_WORLD);
+      EXPECT_NEAR(Utilities::MPI::sum(nodal[c], MPI_COMM_WORLD), sum, 1e-4 * (1. + std::abs(sum)));
+    }
+  }
+}
+
+TEST(ImageForce, VanishesWhereTheImagesAgree) {
+  TexturedPair pair(stretched, stretched);
+  pair.images[1] = pair.images[0];
+  const SimilarityResult result = ImageForce(make_metric("ssd"), MPI_COMM_WORLD)
+                                      .evaluate(TexturedPair::domain(2., 2), pair.states());
+  EXPECT_NEAR(result.value, 0., 1e-9);
+  EXPECT_NEAR(result.forces[0].linfty_norm(), 0., 1e-9);
+  EXPECT_NEAR(result.forces[1].linfty_norm(), 0., 1e-9);
+}
+
+TEST(ImageForce, SwappingTheStatesSwapsTheForces) {
+  TexturedPair pair(stretched, flattened), swapped(flattened, stretched);
+  std::swap(swapped.images[0], swapped.images[1]);
+  const ImageForce force(make_metric("ssd"), MPI_COMM_WORLD);
+  const auto domain = TexturedPair::domain(2., 2);
+  const SimilarityResult a = force.evaluate(domain, pair.states());
+  const SimilarityResult b = force.evaluate(domain, swapped.states());
+  EXPECT_NEAR(a.value, b.value, 1e-9 * a.value);
+  for (unsigned i = 0; i < 3 * pair.bodies[0]->n_owned_nodes(); ++i) {
+    EXPECT_NEAR(a.forces[0].local_element(i), b.forces[1].local_element(i), 1e-6);
+    EXPECT_NEAR(a.forces[1].local_element(i), b.forces[0].local_element(i), 1e-6);
+  }
+}
+
+TEST(Metric, SsdValueAndDerivative) {
+  similarity::WarpedPair pair;
+  pair.grid.size = {2, 1, 1};
+  pair.grid.spacing = Tensor<1, 3>({2., 2., 2.});
+  pair.values = {std::vector<float>{0.5f, 1.f}, std::vector<float>{0.25f, 0.f}};
+  pair.in_domain = {1, 0};
+  std::array<std::vector<float>, 2> derivatives;
+  EXPECT_NEAR(make_metric("ssd")->evaluate(pair, derivatives), 0.5 * 8. * 0.0625, 1e-9);
+  EXPECT_FLOAT_EQ(derivatives[0][0], 2.f);
+  EXPECT_FLOAT_EQ(derivatives[1][0], -2.f);
+  EXPECT_FLOAT_EQ(derivatives[0][1], 0.f);
+}
+
+TEST(Metric, UnknownNameIsAnsweredWithTheList) {
+  try {
+    make_metric("psnr");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("allowed are: ssd"), std::string::npos);
+  }
+}
+
+TEST(Domain, ChestAndTouchedBordersAreNoAir) {
+  similarity::Scene scene;
+  image::VoxelGrid grid;
+  grid.size = {10, 10, 10};
+  for (image::LabelImage& labels : scene.labels) {
+    labels = image::LabelImage(grid, 0);
+    for (std::size_t i = 0; i < 10; ++i) // chest at low y touches the ends of x
+      labels(i, 2, 5) = 1;
+  }
+  const auto around = image::grid_around(Point<3>(), Point<3>(9., 9., 9.), 1., 3.); // from -3 to 12
+  const auto domain = similarity::similarity_domain(around, scene, 1);
+  const auto no_air = [&](double x, double y, double z) {
+    const Point<3> i = around.continuous_index(Point<3>(x, y, z));
+    return bool(domain.no_air[around.linear_index(std::size_t(i[0] + 0.5), std::size_t(i[1] + 0.5),
+                                                  std::size_t(i[2] + 0.5))]);
+  };
+  EXPECT_TRUE(no_air(4., 2., 5.));
+  EXPECT_FALSE(no_air(4., 7., 5.));
+  EXPECT_TRUE(no_air(-2., 7., 5.));  // tissue may go on there
+  EXPECT_FALSE(no_air(4., 11., 5.)); // nothing touches that border: air
+}
