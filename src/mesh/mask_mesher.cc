@@ -26,7 +26,7 @@ constexpr double contour_spacing = 0.6;
 
 /// Smallest height of a cell that is aimed at, over the edge length; 0.82 is
 /// that of a regular tetrahedron.
-constexpr double wanted_height = 0.45;
+constexpr double wanted_height = 0.5;
 
 /// Smallest volume that is worth meshing, in cubes of the edge length.
 constexpr double smallest_body = 4.;
@@ -92,7 +92,7 @@ TetMesh mesh_level_set(const LevelSet& phi, double edge_length) {
   if (enclosed_volume(surface) < smallest_body * std::pow(edge_length, 3))
     refuse(phi.mask_volume(), edge_length);
   TetMesh mesh = fill_with_tets(surface, edge_length);
-  raise_small_heights(mesh, node_patches(surface), remesher.projection(),
+  improve_worst_cells(mesh, node_patches(surface), remesher.projection(),
                       wanted_height * edge_length);
   return mesh;
 }
