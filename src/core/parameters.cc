@@ -15,15 +15,32 @@ using namespace dealii;
 
 namespace {
 
-/// The message of a deal.II exception as one line without its stack trace.
-std::string in_one_line(const ExceptionBase& exception) {
+constexpr const char* where_allowed = "; --write-prm FILE lists all entries and what they allow.";
+
+/// Ends a message on a value that does not match its pattern with what is allowed
+/// in words, where deal.II has it in its own notation, as in <[Selection a|b ]>.
+std::string with_readable_pattern(const std::string& text) {
+  const std::size_t verdict = text.find("does not match the given pattern");
+  const std::size_t begin = text.find('[', verdict), end = text.rfind(']');
+  if (verdict == std::string::npos || begin == std::string::npos || end < begin)
+    return text;
+  const auto pattern = Patterns::pattern_factory(text.substr(begin, end - begin + 1));
+  return text.substr(0, verdict) +
+         "is not allowed there, but: " + pattern->description(Patterns::PatternBase::Text);
+}
+
+/// The message of a deal.II exception as part of one sentence, without its stack
+/// trace.
+std::string as_clause(const ExceptionBase& exception) {
   std::ostringstream text;
   exception.print_info(text);
   std::istringstream words(text.str());
   std::string line, word;
   while (words >> word)
     line += (line.empty() ? "" : " ") + word;
-  return line;
+  while (!line.empty() && line.back() == '.')
+    line.pop_back();
+  return with_readable_pattern(line);
 }
 
 void read_file(ParameterHandler& parameters, const std::filesystem::path& file) {
@@ -34,8 +51,8 @@ void read_file(ParameterHandler& parameters, const std::filesystem::path& file) 
   try {
     parameters.parse_input(file.string(), "", false);
   } catch (const ExceptionBase& exception) {
-    throw Error("The parameter file '" + file.string() + "' cannot be used: " +
-                in_one_line(exception) + " (all entries and allowed values: --write-prm FILE)");
+    throw Error("The parameter file '" + file.string() +
+                "' cannot be used: " + as_clause(exception) + where_allowed);
   }
 }
 
@@ -49,8 +66,7 @@ void apply(ParameterHandler& parameters, const Override& override) {
   if (!path.empty())
     path.pop_back();
   if (!path.empty() && !parameters.subsection_path_exists(path))
-    throw Error("The section of the override '" + override +
-                "' does not exist; --write-prm FILE lists all sections and entries.");
+    throw Error("The section of the override '" + override + "' does not exist" + where_allowed);
   for (const std::string& section : path)
     parameters.enter_subsection(section);
   try {
@@ -58,8 +74,8 @@ void apply(ParameterHandler& parameters, const Override& override) {
   } catch (const ExceptionBase& exception) {
     for (std::size_t i = 0; i < path.size(); ++i)
       parameters.leave_subsection();
-    throw Error("The override '" + override + "' cannot be used: " + in_one_line(exception) +
-                " (all entries and allowed values: --write-prm FILE)");
+    throw Error("The override '" + override + "' cannot be used: " + as_clause(exception) +
+                where_allowed);
   }
   for (std::size_t i = 0; i < path.size(); ++i)
     parameters.leave_subsection();

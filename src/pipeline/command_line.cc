@@ -131,13 +131,25 @@ int report(const std::string& message, MPI_Comm world) {
   return failure;
 }
 
+/// The sentence for a command line without a command that exists.
+std::string no_command(const CLI::App& app) {
+  const std::vector<std::string> words = app.remaining();
+  std::string commands;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    commands += (commands.empty() ? "" : ", ") + command->get_name();
+  return (words.empty() ? "No command is given" : "'" + words.front() + "' is no command") +
+         "; the commands are " + commands + " (see prosup --help).";
+}
+
 /// Help and version are printed by one rank only.
 int answer(const CLI::App& app, const CLI::ParseError& request, MPI_Comm world) {
   if (dealii::Utilities::MPI::this_mpi_process(world) != 0)
     return request.get_exit_code() == 0 ? success : failure;
   if (request.get_exit_code() == 0)
     return app.exit(request);
-  return report(std::string(request.what()) + " (see prosup --help)", world);
+  if (app.get_subcommands().empty())
+    return report(no_command(app), world);
+  return report(std::string(request.what()) + " (see prosup --help).", world);
 }
 
 } // namespace

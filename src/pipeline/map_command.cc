@@ -18,17 +18,22 @@ namespace {
 
 constexpr double far_outside = 2.; // mm: more than the mesh's own error at the skin
 
-PointMapper mapper_of(const MapRequest& request, const std::string& state) {
-  const auto file = request.result / (state + "_loaded.vtu");
-  if (!std::filesystem::exists(file))
+void require_file(const MapRequest& request, const std::string& name) {
+  if (!std::filesystem::exists(request.result / name))
     throw Error("The folder '" + request.result.string() + "' holds no finished registration (no " +
-                file.filename().string() + "); give the --output folder of prosup register.");
-  return PointMapper(output::read_mesh(file));
+                name + "); give the --output folder of prosup register.");
+}
+
+PointMapper mapper_of(const MapRequest& request, const std::string& state) {
+  const std::string name = state + "_loaded.vtu";
+  require_file(request, name);
+  return PointMapper(output::read_mesh(request.result / name));
 }
 
 } // namespace
 
 void run_map(const MapRequest& request) {
+  require_file(request, "summary.json");
   std::vector<evaluation::NamedPoint> points = evaluation::read_points(request.points);
   std::size_t n_outside = 0;
   const auto apply = [&](const PointMapper& mapper, evaluation::State from) {
