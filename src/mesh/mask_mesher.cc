@@ -73,7 +73,10 @@ void restore_volume(SurfaceRemesher& remesher, double volume, double largest_shi
   double level = 0.;
   for (unsigned iteration = 0; iteration < 2; ++iteration) {
     const TriangleMesh surface = remesher.result();
-    level += (volume - enclosed_volume(surface)) / free_area(surface);
+    const double area = free_area(surface);
+    if (area == 0.) // the mask fills the image
+      return;
+    level += (volume - enclosed_volume(surface)) / area;
     level = std::clamp(level, -largest_shift, largest_shift);
     remesher.move_to_level(level);
   }
@@ -127,16 +130,15 @@ void MaskMesher::declare_parameters(ParameterHandler& prm) {
       Patterns::Integer(0, 255));
   prm.add_parameter("Smoothing", smoothing,
                     "sigma/s, standard deviation of the Gaussian that smooths the distance to the "
-                    "mask, over the largest voxel spacing s; one removes the stairs of the voxels. "
-                    "Units: none.",
+                    "mask, over the cube root s of the volume of a voxel; one removes the stairs "
+                    "of the voxels. Units: none.",
                     Patterns::Double(0., 10.));
 }
 
 TetMesh MaskMesher::run(const image::LabelImage& labels) const {
   const image::LabelImage upright = in_grid_frame(labels);
-  const auto& spacing = labels.grid.spacing;
   const LevelSet phi(breast_mask(upright, tissue_labels),
-                     smoothing * std::max({spacing[0], spacing[1], spacing[2]}));
+                     smoothing * std::cbrt(labels.grid.voxel_volume()));
   TetMesh mesh = mesh_level_set(phi, edge_length);
   mesh.tissue = sample_tissue(mesh, upright, tissue_labels);
   mesh.boundary_faces = find_boundary(mesh, upright, tissue_labels, chest_label);

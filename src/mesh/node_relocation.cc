@@ -63,7 +63,9 @@ void relocate(TetMesh& mesh, unsigned node, const std::vector<unsigned>& star, u
     const Point<3> start = mesh.points[node];
     Point<3> winner = start;
     for (const Vector& direction : directions) {
-      mesh.points[node] = projection(start + step * direction, patches);
+      mesh.points[node] = start + step * direction;
+      if (!projection.apply(mesh.points[node], patches))
+        continue;
       // Smaller gains would only shuffle nodes about.
       if (const double reached = goal.reached(mesh, star); reached > best + 1e-3) {
         best = reached;

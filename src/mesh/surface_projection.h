@@ -16,9 +16,9 @@ public:
   /// Set of the patch p of a TriangleMesh.
   static constexpr unsigned set_of(unsigned patch) { return 1u << patch; }
 
-  /// A point of all patches in the set `patches` near x; x, but in the faces of
-  /// the box, if there is none within reach.
-  Point<3> operator()(const Point<3>& x, unsigned patches) const;
+  /// Moves x to a point of all patches in the set `patches` near it. Returns false
+  /// if there is none within reach; x then is moved to the faces of the box only.
+  bool apply(Point<3>& x, unsigned patches) const;
 
   void set_level(double level) { level_ = level; }
 

@@ -59,8 +59,8 @@ void SurfaceRemesher::move_to_level(double level) {
   projection_.set_level(level);
   for (unsigned v = 0; v < topology_.n_vertices(); ++v)
     if (topology_.is_used(v)) {
-      const Point<3> target = projection_(topology_.point(v), topology_.patches(v));
-      if (may_move(v, target, nobody))
+      Point<3> target = topology_.point(v);
+      if (projection_.apply(target, topology_.patches(v)) && may_move(v, target, nobody))
         topology_.move(v, target);
     }
 }
@@ -70,8 +70,9 @@ void SurfaceRemesher::split_long_edges() {
   Edge edge;
   for (const auto& [a, b] : topology_.edges())
     if (topology_.length(a, b) > longest && topology_.find_edge(a, b, edge)) {
-      const Point<3> middle(0.5 * (topology_.point(a) + topology_.point(b)));
-      topology_.split(edge, projection_(middle, topology_.patches(edge)));
+      Point<3> middle(0.5 * (topology_.point(a) + topology_.point(b)));
+      projection_.apply(middle, topology_.patches(edge));
+      topology_.split(edge, middle);
     }
 }
 
@@ -107,8 +108,11 @@ bool SurfaceRemesher::collapse(unsigned removed, unsigned kept) {
     return false;
   Point<3> target = topology_.point(kept);
   if (around_removed == topology_.patches(kept) &&
-      topology_.crease_neighbours(kept).size() == n_creases)
-    target = projection_(Point<3>(0.5 * (topology_.point(removed) + target)), around_removed);
+      topology_.crease_neighbours(kept).size() == n_creases) {
+    target = Point<3>(0.5 * (topology_.point(removed) + target));
+    if (!projection_.apply(target, around_removed))
+      return false;
+  }
   const auto too_far = [&](unsigned v) {
     return (topology_.point(v) - target).norm() > 4. / 3. * edge_length_;
   };
@@ -155,8 +159,8 @@ bool SurfaceRemesher::flip_helps(const Edge& edge) const {
 void SurfaceRemesher::relax() {
   for (unsigned v = 0; v < topology_.n_vertices(); ++v)
     if (topology_.is_used(v)) {
-      const Point<3> target = projection_(relaxed_position(v), topology_.patches(v));
-      if (may_move(v, target, nobody))
+      Point<3> target = relaxed_position(v);
+      if (projection_.apply(target, topology_.patches(v)) && may_move(v, target, nobody))
         topology_.move(v, target);
     }
 }

@@ -29,7 +29,7 @@ public:
   double edge_length = 6.5;                  ///< mm
   std::vector<unsigned> tissue_labels{2, 3}; ///< what is meshed
   unsigned chest_label = 1;
-  double smoothing = 1.; ///< standard deviation, in units of the largest spacing
+  double smoothing = 1.; ///< standard deviation, in cube roots of the volume of a voxel
 };
 
 } // namespace prosup::mesh
