@@ -38,6 +38,7 @@ public:
       SimilarityResult next;
       if (!push(current, weight, result) || !((next = evaluate()).value < current.value)) {
         pair_.restore(before);
+        increments_ = {};
         weight *= 0.5;
         if (++n_rejected > max_rejections)
           break;
@@ -67,10 +68,13 @@ private:
   /// Adds the weighted forces and simulates; false if an element came near
   /// inversion.
   bool push(const SimilarityResult& similarity, double weight, ImageForceResult& result) {
+    const double momentum = parameters_.momentum_;
     try {
       pair_.for_each([&](State which, BodyState& state) {
-        mechanics::NodeVector increment = similarity.forces[which];
-        increment *= weight;
+        mechanics::NodeVector& increment = increments_[which];
+        if (increment.size() == 0)
+          state.body->initialize(increment);
+        increment.sadd(momentum, weight, similarity.forces[which]);
         state.unloading->add_force(increment, parameters_.ramp_fraction_ *
                                                   parameters_.steps_per_update_ *
                                                   state.unloading->time_step());
@@ -103,6 +107,7 @@ private:
   const double level_;
   const Log& log_;
   const std::array<image::ScalarImage, 2> images_;
+  std::array<mechanics::NodeVector, 2> increments_; // the last ones
 };
 
 ImageForceRegistration::ImageForceRegistration() : ParameterAcceptor("Image forces") {}
@@ -127,6 +132,10 @@ void ImageForceRegistration::declare_parameters(ParameterHandler& prm) {
       "First weight kappa of the image forces over the shear modulus; adapts from there. "
       "Units: none (images are scaled to [0, 1]).",
       Patterns::Double(1e-9, 1e6));
+  prm.add_parameter("Momentum", momentum_,
+                    "Part of the last increment of the force that the next one keeps, so that soft "
+                    "directions, in which the residual hardly changes, go faster. Units: none.",
+                    Patterns::Double(0., 0.99));
   prm.add_parameter(
       "Smallest Jacobian", smallest_jacobian_,
       "An update that brings any element below this J = det F is taken back. Units: none.",

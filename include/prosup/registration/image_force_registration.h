@@ -43,6 +43,7 @@ private:
   unsigned steps_per_update_ = 150;
   double ramp_fraction_ = 0.5;
   double weight_ = 0.1;
+  double momentum_ = 0.5;
   double smallest_jacobian_ = 0.2;
   double least_gain_ = 0.005;
 };
