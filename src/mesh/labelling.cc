@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
+#include "boundary_faces.h"
 #include "prosup/image/sampling.h"
 
 namespace prosup::mesh {
@@ -12,7 +12,6 @@ namespace prosup::mesh {
 namespace {
 
 using Vector = dealii::Tensor<1, 3>;
-using Face = std::array<unsigned, 3>;
 
 bool contains(const std::vector<unsigned>& labels, unsigned label) {
   return std::find(labels.begin(), labels.end(), label) != labels.end();
@@ -56,34 +55,6 @@ std::uint8_t nearest_tissue(const image::LabelImage& labels, const Point<3>& x,
             result = label;
           }
         }
-  }
-  return result;
-}
-
-/// The faces that only one cell has, corners in order so that normals point outwards.
-std::vector<Face> boundary_faces(const TetMesh& mesh) {
-  // Face opposite to corner a of a positively oriented cell, seen from outside.
-  constexpr unsigned face_corners[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
-  struct SortedFace {
-    Face sorted, oriented;
-    bool operator<(const SortedFace& other) const { return sorted < other.sorted; }
-  };
-  std::vector<SortedFace> faces;
-  faces.reserve(4 * mesh.cells.size());
-  for (const auto& cell : mesh.cells)
-    for (const auto& corners : face_corners) {
-      const Face oriented{cell[corners[0]], cell[corners[1]], cell[corners[2]]};
-      Face sorted = oriented;
-      std::sort(sorted.begin(), sorted.end());
-      faces.push_back({sorted, oriented});
-    }
-  std::sort(faces.begin(), faces.end());
-  std::vector<Face> result;
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    const bool as_before = f > 0 && faces[f - 1].sorted == faces[f].sorted;
-    const bool as_next = f + 1 < faces.size() && faces[f + 1].sorted == faces[f].sorted;
-    if (!as_before && !as_next)
-      result.push_back(faces[f].oriented);
   }
   return result;
 }
@@ -151,15 +122,15 @@ std::vector<BoundaryFace> find_boundary(const TetMesh& mesh, const image::LabelI
                                         const std::vector<unsigned>& tissue_labels,
                                         unsigned chest_label) {
   std::vector<BoundaryFace> result;
-  for (const Face& face : boundary_faces(mesh)) {
-    const std::array<Point<3>, 3> corners{mesh.points[face[0]], mesh.points[face[1]],
-                                          mesh.points[face[2]]};
+  for (const OuterFace& face : outer_faces(mesh)) {
+    const std::array<Point<3>, 3> corners{mesh.points[face.nodes[0]], mesh.points[face.nodes[1]],
+                                          mesh.points[face.nodes[2]]};
     BoundaryPart part = BoundaryPart::skin;
     if (in_image_border(corners, labels.grid))
       part = BoundaryPart::cut_plane;
     else if (label_beyond(corners, labels, tissue_labels) == chest_label)
       part = BoundaryPart::chest_wall;
-    result.push_back({face, part});
+    result.push_back({face.nodes, part});
   }
   return result;
 }

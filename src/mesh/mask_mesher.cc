@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "contour.h"
+#include "flat_cells.h"
 #include "labelling.h"
 #include "node_relocation.h"
 #include "prosup/core/error.h"
@@ -95,8 +96,11 @@ TetMesh mesh_level_set(const LevelSet& phi, double edge_length) {
   if (enclosed_volume(surface) < smallest_body * std::pow(edge_length, 3))
     refuse(phi.mask_volume(), edge_length);
   TetMesh mesh = fill_with_tets(surface, edge_length);
-  improve_worst_cells(mesh, node_patches(surface), remesher.projection(),
-                      wanted_height * edge_length);
+  const double height = wanted_height * edge_length;
+  const std::vector<unsigned> patches = node_patches(surface);
+  improve_worst_cells(mesh, patches, remesher.projection(), height);
+  if (peel_flat_cells(mesh, 0.7 * height) > 0)
+    improve_worst_cells(mesh, patches, remesher.projection(), height);
   return mesh;
 }
 

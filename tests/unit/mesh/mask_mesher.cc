@@ -86,6 +86,7 @@ TEST(MaskMesher, BoxAtTheBorderHasExactPlanesAndTheRightParts) {
       7.);
   const double lx = 40., ly = 45., lz = 15.;
   EXPECT_NEAR(measure_quality(mesh).volume_mm3, lx * ly * lz, 0.002 * lx * ly * lz);
+  EXPECT_GT(measure_quality(mesh).min_height, 0.35 * 7.);
   EXPECT_NEAR(area_of(mesh, BoundaryPart::cut_plane), 2. * (lx + ly) * lz,
               0.01 * 2. * (lx + ly) * lz);
   EXPECT_NEAR(area_of(mesh, BoundaryPart::chest_wall), lx * ly, 0.01 * lx * ly);
@@ -120,6 +121,7 @@ TEST(MaskMesher, MaskThatTouchesAllFacesIsCutThere) {
   const double volume = ball_volume(radius) - 6. * M_PI * cap * cap * (radius - cap / 3.);
   const double discs = 6. * M_PI * (radius * radius - half * half);
   EXPECT_NEAR(measure_quality(mesh).volume_mm3, volume, 0.01 * volume);
+  EXPECT_GT(measure_quality(mesh).min_height, 0.25 * 7.);
   // Here the surface meets the planes at 52 degrees: a shift of 0.25 mm, as chords
   // ask for, widens a disc by 0.4 mm or 7 % of its area.
   EXPECT_NEAR(area_of(mesh, BoundaryPart::cut_plane), discs, 0.07 * discs);
