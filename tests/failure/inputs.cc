@@ -1,0 +1,115 @@
+#include <algorithm>
+
+#include "prosup/image/image_io.h"
+#include "refused.h"
+
+using namespace prosup;
+using namespace prosup::testing;
+
+namespace {
+
+class Input : public Refused {
+protected:
+  /// The prone labels of the small case after `change`, in a file.
+  template <typename Change>
+  std::string changed_labels(const Change& change) const {
+    image::LabelImage labels = image::read_labels(data_file("small/prone_labels.nii.gz"));
+    change(labels);
+    const auto file = folder_ / "labels.nrrd";
+    image::write_labels(labels, file);
+    return file;
+  }
+
+  std::string truncated(const std::string& name) const {
+    const std::string whole = contents(data_file(name));
+    return write("cut_" + std::filesystem::path(name).filename().string(),
+                 whole.substr(0, whole.size() / 2));
+  }
+};
+
+} // namespace
+
+TEST_F(Input, ImageThatDoesNotExist) {
+  const Arguments wrong = registering({"--supine-image", "nowhere/supine.nrrd"});
+  expect_refused(wrong, {"nowhere/supine.nrrd", "does not exist"});
+  expect_refused(wrong, {"nowhere/supine.nrrd", "does not exist"}, 2);
+}
+
+TEST_F(Input, ImageThatIsNotGiven) {
+  expect_refused({"register", "--output", output()}, {"Case/Prone image", "--prone-image"});
+  expect_refused({"mesh", "--output", output()}, {"Case/Prone labels", "--prone-labels"});
+  expect_refused({"unload", "--state", "supine", "--output", output()},
+                 {"Case/Supine labels", "--supine-labels"}, 2);
+}
+
+TEST_F(Input, ImageThatIsTruncated) {
+  for (const char* name : {"small/prone.nii.gz", "small/supine.nrrd"})
+    expect_refused(registering({"--prone-image", truncated(name)}), {"cut_", "incomplete"});
+  expect_refused(registering({"--prone-labels", truncated("small/supine_labels.mha")}),
+                 {"cut_supine_labels.mha", "incomplete"}, 2);
+}
+
+TEST_F(Input, ImageThatIsNone) {
+  expect_refused(registering({"--prone-image", write("prone.nii.gz", "no image")}),
+                 {"prone.nii.gz", "NIfTI", "NRRD", "MetaImage"});
+  expect_refused(registering({"--prone-image", PROSUP_TEST_DATA}), {PROSUP_TEST_DATA, "no file"});
+}
+
+TEST_F(Input, ImageInThePlaceOfLabels) {
+  image::ScalarImage image = image::read_image(data_file("small/prone.nii.gz"));
+  image.values[1000] = 17.5f;
+  const auto file = folder_ / "image.nrrd";
+  image::write_image(image, file);
+  expect_refused(registering({"--prone-labels", file}), {file, "17.5", "0 to 255", "mask"});
+}
+
+TEST_F(Input, LabelsThatDoNotFitTheirImage) {
+  expect_refused(registering({"--prone-labels", data_file("anthro1/prone_labels.nii.gz")}),
+                 {"prone_labels.nii.gz", "prone.nii.gz", "size", "141 x"});
+  const std::string moved = changed_labels([](auto& labels) { labels.grid.origin[2] += 5.; });
+  expect_refused(registering({"--prone-labels", moved}), {moved, "prone.nii.gz", "origin"});
+  expect_refused({"unload", PROSUP_PRM_FOLDER "/tests/small.prm", "--output", output(),
+                  "--prone-labels", moved},
+                 {moved, "prone.nii.gz", "origin"}, 2);
+}
+
+TEST_F(Input, EmptyMask) {
+  const std::string empty = changed_labels(
+      [](auto& labels) { std::fill(labels.values.begin(), labels.values.end(), 0); });
+  for (const unsigned n_ranks : {1u, 2u})
+    expect_refused(registering({"--prone-labels", empty}), {empty, "empty"}, n_ranks);
+  expect_refused({"mesh", "--prone-labels", empty, "--output", output()}, {empty, "empty"});
+}
+
+TEST_F(Input, LabelThatIsNotThere) {
+  expect_refused(registering({"--set", "Images/Chest label=9"}),
+                 {"prone_labels.nii.gz", "no voxel of label 9", "chest", "0, 1, 2, 3"});
+  expect_refused(registering({"--set", "Images/Tissue labels=7"}),
+                 {"prone_labels.nii.gz", "no voxel of label 7", "Tissue labels", "0, 1, 2, 3"});
+}
+
+TEST_F(Input, MaskWithHardlyABreast) {
+  const std::string speck = changed_labels([](auto& labels) {
+    bool kept = false;
+    for (auto& label : labels.values)
+      if (label > 1) {
+        label = kept ? 0 : label;
+        kept = true;
+      }
+  });
+  expect_refused({"mesh", "--prone-labels", speck, "--output", output()},
+                 {"breast mask", "too small", "Meshing/Edge length"});
+}
+
+TEST_F(Input, LandmarksWithABadNumber) {
+  const std::string file =
+      write("landmarks.csv", "id,prone_x,prone_y,prone_z,supine_x,supine_y,supine_z\n"
+                             "a,1,2,3,4,5,6\nb,1,2,3,4,nan,6\n");
+  expect_refused(registering({"--landmarks", file}), {file, "line 3", "'nan'", "finite"});
+  expect_refused(registering({"--landmarks", file}), {file, "line 3"}, 2);
+}
+
+TEST_F(Input, LandmarksWithoutAColumn) {
+  const std::string file = write("landmarks.csv", "id,prone_x,prone_y,prone_z\na,1,2,3\n");
+  expect_refused(registering({"--landmarks", file}), {file, "column 'supine_x'"});
+}

@@ -1,0 +1,86 @@
+#include "refused.h"
+
+using namespace prosup::testing;
+
+namespace {
+
+class Run : public Refused {
+protected:
+  std::string points(const std::string& text) const { return write("points.csv", text); }
+
+  Arguments mapping(const std::string& result, const std::string& from, const std::string& to,
+                    const std::string& file) const {
+    return {"map", "--result", result, "--from", from, "--to", to, file, "-o", output()};
+  }
+};
+
+} // namespace
+
+// No body of this size can carry its weight with this stiffness.
+TEST_F(Run, MaterialTooSoft) {
+  for (const unsigned n_ranks : {1u, 2u})
+    expect_refused(registering({"--set", "Material/Shear modulus=2"}),
+                   {"diverged", "Material/Shear modulus"}, n_ranks);
+}
+
+TEST_F(Run, OutputFolderWithForeignContent) {
+  const auto foreign = folder_ / "precious";
+  std::filesystem::create_directory(foreign);
+  text_file(foreign / "thesis.txt", "years of work");
+  for (const char* command : {"register", "unload", "mesh"})
+    expect_refused({command, PROSUP_PRM_FOLDER "/tests/small.prm", "--output", foreign},
+                   {"precious", "summary.json", "--output"}, 2);
+  EXPECT_EQ(contents(foreign / "thesis.txt"), "years of work");
+  unsigned n_entries = 0;
+  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(foreign))
+    ++n_entries;
+  EXPECT_EQ(n_entries, 1u);
+}
+
+TEST_F(Run, OutputFolderUnderAFile) {
+  const std::string file = write("file", "text");
+  for (const std::string& output : {file, file + "/out", file + "/a/b"})
+    expect_refused({"register", PROSUP_PRM_FOLDER "/tests/small.prm", "--output", output},
+                   {"/file", "--output"});
+  EXPECT_EQ(contents(file), "text");
+}
+
+TEST_F(Run, MapWithoutARegistration) {
+  const std::string file = points("id,x,y,z\na,1,2,3\n");
+  for (const unsigned n_ranks : {1u, 2u})
+    expect_refused(mapping("nowhere", "prone", "supine", file), {"nowhere", "--output"}, n_ranks);
+  expect_refused(mapping(PROSUP_TEST_DATA, "prone", "unloaded", file), {PROSUP_TEST_DATA});
+}
+
+TEST_F(Run, MapWithoutARegistrationToTheSameState) {
+  const std::string file = points("id,x,y,z\na,1,2,3\n");
+  expect_refused(mapping("nowhere", "unloaded", "unloaded", file),
+                 {"nowhere", "no finished registration"});
+}
+
+TEST_F(Run, MapOfPointsWithoutAColumn) {
+  std::filesystem::create_directory(folder_ / "result");
+  write("result/summary.json", "{}");
+  const std::string result = folder_ / "result";
+  expect_refused(mapping(result, "prone", "supine", points("id,x,y\na,1,2\n")),
+                 {"points.csv", "column 'z'"});
+  expect_refused(mapping(result, "prone", "supine", points("id,x,y,z\na,1,inf,3\n")),
+                 {"points.csv", "line 2", "'inf'"});
+}
+
+TEST_F(Run, MapToAnUnknownState) {
+  expect_refused(mapping("nowhere", "prone", "sitting", points("id,x,y,z\na,1,2,3\n")),
+                 {"--to", "sitting", "prone", "supine", "unloaded"});
+}
+
+TEST_F(Run, MapWithoutItsOptions) {
+  expect_refused({"map", "--from", "prone", "--to", "supine", "points.csv", "-o", output()},
+                 {"--result", "required"});
+}
+
+TEST_F(Run, NoCommandOrAnUnknownOne) {
+  for (const unsigned n_ranks : {1u, 2u})
+    expect_refused({}, {"register", "unload", "mesh", "map"}, n_ranks);
+  expect_refused({"regster"}, {"regster", "register", "unload", "mesh", "map"});
+  expect_refused({"register", "--ouput", output()}, {"--ouput", "--help"});
+}

@@ -1,0 +1,133 @@
+#include <cmath>
+#include <map>
+#include <sstream>
+
+#include "prosup/evaluation/landmarks.h"
+#include "prosup/evaluation/points.h"
+#include "small_registration.h"
+
+using namespace prosup;
+using namespace prosup::testing;
+using dealii::Point;
+using evaluation::NamedPoint;
+
+namespace {
+
+const std::filesystem::path& registered() {
+  return SmallRegistration::on_ranks(1).folder;
+}
+
+/// Positions that `prosup map` gives for `points`.
+std::vector<NamedPoint> map(const std::vector<NamedPoint>& points, const std::string& from,
+                            const std::string& to) {
+  const TemporaryFolder folder;
+  evaluation::write_points(points, folder / "in.csv");
+  const ProgramRun run = run_prosup({"map", "--result", registered(), "--from", from, "--to", to,
+                                     folder / "in.csv", "-o", folder / "out.csv"});
+  EXPECT_EQ(run.exit_code, 0) << run.transcript();
+  return evaluation::read_points(folder / "out.csv");
+}
+
+/// The rows of a CSV file with a header, by column name.
+std::vector<std::map<std::string, std::string>> read_table(const std::filesystem::path& file) {
+  const auto cells = [](const std::string& line) {
+    std::vector<std::string> values;
+    std::istringstream stream(line);
+    for (std::string value; std::getline(stream, value, ',');)
+      values.push_back(value);
+    return values;
+  };
+  std::istringstream text(contents(file));
+  std::string line;
+  std::getline(text, line);
+  const std::vector<std::string> header = cells(line);
+  std::vector<std::map<std::string, std::string>> rows;
+  while (std::getline(text, line)) {
+    const std::vector<std::string> values = cells(line);
+    rows.emplace_back();
+    for (std::size_t c = 0; c < header.size(); ++c)
+      rows.back()[header[c]] = values.at(c);
+  }
+  return rows;
+}
+
+Point<3> position(const std::map<std::string, std::string>& row, const std::string& prefix) {
+  return Point<3>(std::stod(row.at(prefix + "_x")), std::stod(row.at(prefix + "_y")),
+                  std::stod(row.at(prefix + "_z")));
+}
+
+std::vector<NamedPoint> landmarks_in(const std::string& state) {
+  std::vector<NamedPoint> points;
+  for (const auto& landmark : evaluation::read_landmarks(data_file("small/landmarks.csv")))
+    points.push_back({landmark.id, state == "prone" ? landmark.prone : landmark.supine});
+  return points;
+}
+
+} // namespace
+
+// The maps are exact inverses inside the meshes. A landmark that is inside one
+// mesh and outside the other moves with the closest surface point, which is no
+// exact inverse: hence not machine precision. 0.05 mm is a fortieth of a voxel.
+TEST(Map, ThereAndBackReturns) {
+  const std::vector<NamedPoint> points = landmarks_in("prone");
+  const std::vector<NamedPoint> there = map(points, "prone", "supine");
+  const std::vector<NamedPoint> back = map(there, "supine", "prone");
+  ASSERT_EQ(back.size(), points.size());
+  double moved = 0.;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_EQ(back[i].id, points[i].id);
+    EXPECT_LE(back[i].position.distance(points[i].position), 0.05) << points[i].id;
+    moved = std::max(moved, there[i].position.distance(points[i].position));
+  }
+  EXPECT_GT(moved, 10.); // mm
+}
+
+// Both files are written to 1e-6 mm.
+TEST(Map, ToUnloadedGivesThePositionsOfTheLandmarkTable) {
+  const auto table = read_table(registered() / "landmarks.csv");
+  for (const char* state : {"prone", "supine"}) {
+    const auto unloaded = map(landmarks_in(state), state, "unloaded");
+    ASSERT_EQ(unloaded.size(), table.size());
+    for (std::size_t i = 0; i < table.size(); ++i) {
+      EXPECT_EQ(unloaded[i].id, table[i].at("id"));
+      EXPECT_LE(
+          unloaded[i].position.distance(position(table[i], std::string("unloaded_from_") + state)),
+          1e-5)
+          << state << " " << table[i].at("id");
+    }
+  }
+}
+
+TEST(Map, LandmarkTableAgreesWithTheSummary) {
+  double sum = 0.;
+  const auto table = read_table(registered() / "landmarks.csv");
+  for (const auto& row : table) {
+    const double distance =
+        position(row, "unloaded_from_prone").distance(position(row, "unloaded_from_supine"));
+    EXPECT_NEAR(distance, std::stod(row.at("tre_mm")), 1e-4) << row.at("id");
+    sum += distance;
+  }
+  const Json& tre = SmallRegistration::on_ranks(1).summary.at("tre").at("image_forces");
+  EXPECT_EQ(table.size(), tre.at("n").get<std::size_t>());
+  EXPECT_NEAR(sum / static_cast<double>(table.size()), tre.at("mean").get<double>(), 1e-4);
+}
+
+// A registration is worth something if its map beats no map.
+TEST(Map, ProneLandmarksLandNearTheirSupinePartners) {
+  const auto mapped = map(landmarks_in("prone"), "prone", "supine");
+  const auto truth = landmarks_in("supine"), start = landmarks_in("prone");
+  double error = 0., initial = 0.;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    error += mapped[i].position.distance(truth[i].position);
+    initial += start[i].position.distance(truth[i].position);
+  }
+  EXPECT_LT(error, 0.4 * initial);
+}
+
+TEST(Map, ToTheSameStateIsTheIdentity) {
+  const std::vector<NamedPoint> points = landmarks_in("supine");
+  const std::vector<NamedPoint> same = map(points, "supine", "supine");
+  ASSERT_EQ(same.size(), points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    EXPECT_LE(same[i].position.distance(points[i].position), 1e-5) << points[i].id;
+}

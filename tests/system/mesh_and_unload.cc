@@ -1,0 +1,80 @@
+#include "prosup/image/image_io.h"
+#include "prosup/output/vtu.h"
+#include "small_registration.h"
+
+using namespace prosup;
+using namespace prosup::testing;
+
+namespace {
+
+constexpr const char* small = PROSUP_PRM_FOLDER "/tests/small.prm";
+
+} // namespace
+
+TEST(Mesh, WritesTheMeshOfOneStateAndItsQuality) {
+  const TemporaryFolder folder;
+  const auto output = folder / "mesh";
+  const ProgramRun run = run_prosup({"mesh", small, "--state", "supine", "--output", output});
+  ASSERT_EQ(run.exit_code, 0) << run.transcript();
+  EXPECT_NE(run.out.find("quality"), std::string::npos) << run.out;
+
+  const Json summary = read_json(output / "summary.json");
+  const mesh::UnloadedMesh mesh = output::read_mesh(output / "supine_loaded.vtu");
+  EXPECT_EQ(summary.at("mesh").at("supine").at("cells").get<std::size_t>(), mesh.mesh.cells.size());
+  EXPECT_EQ(summary.at("mesh").at("supine").at("nodes").get<std::size_t>(),
+            mesh.mesh.points.size());
+  EXPECT_GT(summary.at("mesh").at("supine").at("min_quality").get<double>(), 0.);
+  EXPECT_FALSE(summary.at("mesh").contains("prone"));
+  EXPECT_FALSE(summary.contains("tre"));
+}
+
+TEST(Mesh, GetsFinerWithTheEdgeLength) {
+  const TemporaryFolder folder;
+  std::size_t n_cells[2];
+  for (const unsigned fine : {0u, 1u}) {
+    const auto output = folder / std::to_string(fine);
+    const ProgramRun run = run_prosup({"mesh", small, "--output", output, "--set",
+                                       std::string("Meshing/Edge length=") + (fine ? "9" : "13")});
+    ASSERT_EQ(run.exit_code, 0) << run.transcript();
+    n_cells[fine] = read_json(output / "summary.json").at("mesh").at("prone").at("cells");
+  }
+  // (13/9)^3 = 3 times as many, less where surface rules.
+  EXPECT_GT(n_cells[1], 2 * n_cells[0]);
+}
+
+// Landmarks belong to pairs; an image is not needed.
+TEST(Unload, NeedsOnlyTheLabels) {
+  const TemporaryFolder folder;
+  const auto output = folder / "unload";
+  const ProgramRun run =
+      run_prosup({"unload", "--supine-labels", data_file("small/supine_labels.mha"), "--state",
+                  "supine", "--output", output, "--set", "Meshing/Edge length=12"});
+  ASSERT_EQ(run.exit_code, 0) << run.transcript();
+  EXPECT_TRUE(std::filesystem::exists(output / "unloaded_to_supine.nrrd"));
+  EXPECT_FALSE(std::filesystem::exists(output / "supine_unloaded.nii.gz"));
+}
+
+TEST(Unload, IsTheSameOnTwoRanks) {
+  const TemporaryFolder folder;
+  std::vector<mesh::UnloadedMesh> meshes;
+  for (const unsigned n_ranks : {1u, 2u}) {
+    const auto output = folder / std::to_string(n_ranks);
+    const ProgramRun run = run_prosup({"unload", small, "--output", output}, n_ranks);
+    ASSERT_EQ(run.exit_code, 0) << run.transcript();
+    EXPECT_TRUE(read_json(output / "summary.json").at("converged").get<bool>());
+    EXPECT_TRUE(std::filesystem::exists(output / "prone.pvd"));
+    const auto field = image::read_displacement(output / "unloaded_to_prone.nrrd");
+    EXPECT_EQ(field.values.size(), field.grid.n_voxels());
+    EXPECT_TRUE(
+        field.grid.coincides_with(image::read_image(output / "prone_unloaded.nii.gz").grid));
+    meshes.push_back(output::read_mesh(output / "prone_loaded.vtu"));
+  }
+  ASSERT_EQ(meshes[0].unloaded.size(), meshes[1].unloaded.size());
+  double difference = 0., displacement = 0.;
+  for (std::size_t i = 0; i < meshes[0].unloaded.size(); ++i) {
+    difference = std::max(difference, meshes[0].unloaded[i].distance(meshes[1].unloaded[i]));
+    displacement = std::max(displacement, meshes[0].unloaded[i].distance(meshes[0].mesh.points[i]));
+  }
+  EXPECT_LT(difference, 0.01); // mm; sums over ranks differ by rounding
+  EXPECT_GT(displacement, 5.); // mm
+}
