@@ -82,6 +82,11 @@ std::array<mesh::UnloadedMesh, 2> gather_unloaded(const MeshPair& meshes, const 
   return unloaded;
 }
 
+void transfer_unloaded(mesh::UnloadedMesh& mesh, int from, int to, MPI_Comm communicator) {
+  transfer_mesh(mesh.mesh, from, to, communicator);
+  transfer(mesh.unloaded, from, to, communicator);
+}
+
 std::string describe(const std::string& name, const unloading::UnloadingResult& result) {
   return format("  %s: %u steps, residual %.1e, max |x-u-X| %.3f mm, min J %.2f%s", name.c_str(),
                 result.n_steps, result.residual, result.distance, result.min_jacobian,

@@ -32,7 +32,8 @@ float air_intensity(const ScalarImage& image, const LabelImage& labels) {
 
 } // namespace
 
-InputReader::InputReader() : ParameterAcceptor("Images") {}
+InputReader::InputReader(const mesh::MaskMesher& mesher)
+    : ParameterAcceptor("Images"), mesher_(mesher) {}
 
 void InputReader::declare_parameters(ParameterHandler& prm) {
   prm.add_parameter(
@@ -46,12 +47,6 @@ void InputReader::declare_parameters(ParameterHandler& prm) {
   prm.add_parameter("High percentile", high_percentile_,
                     "Intensity inside the breast that becomes 1. Units: percent.",
                     Patterns::Double(0., 100.));
-  prm.add_parameter("Chest label", chest_label_,
-                    "Label of the chest wall and muscle, which does not deform. Units: none.",
-                    Patterns::Integer(0, 255));
-  prm.add_parameter("Tissue labels", tissue_labels_,
-                    "Labels of the tissue that deforms: fat and gland. Units: none.",
-                    Patterns::List(Patterns::Integer(1, 255), 1, 255));
 }
 
 double InputReader::isotropic_edge(const image::VoxelGrid& grid) const {
@@ -66,11 +61,11 @@ LabelImage InputReader::checked_labels(const std::string& file) const {
     throw Error("The label image '" + file +
                 "' is empty: all its voxels are 0; it has to mark the "
                 "chest wall, fat and gland.");
-  image::require_label(labels, chest_label_, "the chest wall ('Images/Chest label')", file);
-  const LabelImage tissue = image::select_labels(labels, tissue_labels_);
+  image::require_label(labels, mesher_.chest_label, "the chest wall ('Meshing/Chest label')", file);
+  const LabelImage tissue = image::select_labels(labels, mesher_.tissue_labels);
   if (std::none_of(tissue.values.begin(), tissue.values.end(), [](auto v) { return v != 0; }))
-    image::require_label(labels, tissue_labels_.front(), "breast tissue ('Images/Tissue labels')",
-                         file);
+    image::require_label(labels, mesher_.tissue_labels.front(),
+                         "breast tissue ('Meshing/Tissue labels')", file);
   return labels;
 }
 
@@ -86,7 +81,7 @@ OriginalImage InputReader::read_original(const CaseParameters& parameters, unsig
   const std::string& file = parameters.images[state];
   ScalarImage image = image::read_image(file);
   image::check_labels_fit(image, labels, file, parameters.labels[state]);
-  return {std::move(image), image::select_labels(labels, tissue_labels_)};
+  return {std::move(image), image::select_labels(labels, mesher_.tissue_labels)};
 }
 
 std::optional<OriginalImage> InputReader::read_image(const CaseParameters& parameters,
@@ -115,13 +110,14 @@ void InputReader::prepare(const CaseParameters& parameters, unsigned state, Inpu
 
 Inputs InputReader::read_pair(const CaseParameters& parameters, MPI_Comm communicator) const {
   Inputs inputs;
-  inputs.scene.chest_label = chest_label_;
+  inputs.scene.chest_label = mesher_.chest_label;
   on_root(communicator, [&] {
     parameters.require_pair();
     for (unsigned state = 0; state < 2; ++state)
       prepare(parameters, state, inputs);
   });
   for (unsigned state = 0; state < 2; ++state) {
+    image::broadcast(inputs.originals[state].image, communicator);
     image::broadcast(inputs.images[state], communicator);
     image::broadcast(inputs.scene.labels[state], communicator);
   }

@@ -8,14 +8,11 @@
 #include "prosup/core/parameters.h"
 #include "prosup/core/result_folder.h"
 #include "prosup/core/version.h"
-#include "prosup/image/filters.h"
-#include "prosup/image/image_io.h"
 #include "prosup/mesh/deformation.h"
 #include "prosup/mesh/quality.h"
-#include "prosup/output/displacement_fields.h"
 #include "prosup/output/pictures.h"
 #include "prosup/output/vtu.h"
-#include "prosup/pipeline/unloaded_grid.h"
+#include "prosup/pipeline/result_images.h"
 
 namespace prosup::pipeline {
 
@@ -33,6 +30,12 @@ constexpr const char* material = "Material update";
 constexpr const char* image_forces = "Image forces";
 constexpr const char* write = "Writing results";
 } // namespace stage
+
+/// The path of the folder that only rank 0 has.
+std::filesystem::path shared_path(const ResultFolder* folder, MPI_Comm communicator) {
+  return Utilities::MPI::broadcast(communicator,
+                                   folder == nullptr ? std::string() : folder->path().string());
+}
 
 } // namespace
 
@@ -57,7 +60,7 @@ bool RegisterPipeline::run(const std::filesystem::path& output) {
   timer_.run(stage::unloading, [&] { unload(); });
   timer_.run(stage::material, [&] { update_material(); });
   timer_.run(stage::image_forces, [&] { push_with_image_forces(); });
-  timer_.run(stage::write, [&] { on_root(ranks_.world(), [&] { write(folder->path()); }); });
+  timer_.run(stage::write, [&] { write(shared_path(folder.get(), ranks_.world())); });
 
   summary_.peak_memory = peak_memory(ranks_.world());
   on_root(ranks_.world(), [&] {
@@ -89,8 +92,7 @@ void RegisterPipeline::build() {
 void RegisterPipeline::unload() {
   pair_.set_material(stages_.material, stages_.material.initial_shear_modulus());
   record(pair_.unload());
-  unloaded_ = gather_unloaded(meshes_, pair_);
-  summary_.tre.unloaded = landmarks_.evaluate(unloaded_);
+  evaluate(summary_.tre.unloaded);
 }
 
 void RegisterPipeline::update_material() {
@@ -104,8 +106,7 @@ void RegisterPipeline::update_material() {
   summary_.lambda =
       mechanics::lame_parameters(result.shear_modulus, stages_.material.poisson_ratio()).lambda;
   record(result.history);
-  unloaded_ = gather_unloaded(meshes_, pair_);
-  summary_.tre.material = landmarks_.evaluate(unloaded_);
+  evaluate(summary_.tre.material);
 }
 
 void RegisterPipeline::push_with_image_forces() {
@@ -115,8 +116,12 @@ void RegisterPipeline::push_with_image_forces() {
   *summary_.steps += result.n_steps;
   summary_.converged = summary_.converged && result.converged;
   record(result.history);
+  evaluate(summary_.tre.image_forces);
+}
+
+void RegisterPipeline::evaluate(std::optional<evaluation::ErrorStatistics>& error) {
   unloaded_ = gather_unloaded(meshes_, pair_);
-  summary_.tre.image_forces = landmarks_.evaluate(unloaded_);
+  on_root(ranks_.world(), [&] { error = landmarks_.evaluate(unloaded_); });
 }
 
 void RegisterPipeline::record(const std::array<unloading::UnloadingResult, 2>& results) {
@@ -143,38 +148,25 @@ void RegisterPipeline::add_mesh_summaries() {
 }
 
 void RegisterPipeline::write(const std::filesystem::path& folder) {
-  add_mesh_summaries();
-  if (!summary_.converged)
-    summary_.warnings.push_back("a simulation did not settle within 'Unloading/Maximum steps'");
-  output::write_mesh(unloaded_[prone], folder, "prone");
-  output::write_mesh(unloaded_[supine], folder, "supine");
-  landmarks_.write(folder / "landmarks.csv");
-  write_parameters(parameters_, folder / "used.prm");
-  write_images(folder);
-}
-
-void RegisterPipeline::write_images(const std::filesystem::path& folder) const {
-  const image::VoxelGrid grid = unloaded_grid({&unloaded_[prone], &unloaded_[supine]},
-                                              stages_.results.voxel_edge, stages_.results.margin);
-  const OriginalImage &loaded_prone = inputs_.originals[prone],
-                      &loaded_supine = inputs_.originals[supine];
-  const output::DisplacementFields fields = output::displacement_fields(
-      unloaded_[prone], unloaded_[supine], grid, loaded_prone.image.grid, loaded_supine.image.grid);
-  image::write_displacement(fields.unloaded_to_prone, folder / "unloaded_to_prone.nrrd");
-  image::write_displacement(fields.unloaded_to_supine, folder / "unloaded_to_supine.nrrd");
-  image::write_displacement(fields.prone_to_supine, folder / "prone_to_supine.nrrd");
-  image::write_displacement(fields.supine_to_prone, folder / "supine_to_prone.nrrd");
-
-  const image::ScalarImage unloaded_prone =
-      image::warp(loaded_prone.image, fields.unloaded_to_prone);
-  const image::ScalarImage unloaded_supine =
-      image::warp(loaded_supine.image, fields.unloaded_to_supine);
-  image::write_image(unloaded_prone, folder / "prone_unloaded.nii.gz");
-  image::write_image(unloaded_supine, folder / "supine_unloaded.nii.gz");
-  if (stages_.results.pictures)
-    output::write_registration_slices({loaded_prone.image, loaded_supine.image, loaded_prone.breast,
-                                       loaded_supine.breast, unloaded_prone, unloaded_supine},
-                                      folder);
+  on_root(ranks_.world(), [&] {
+    add_mesh_summaries();
+    if (!summary_.converged)
+      summary_.warnings.push_back("a simulation did not settle within 'Unloading/Maximum steps'");
+    output::write_mesh(unloaded_[prone], folder, "prone");
+    output::write_mesh(unloaded_[supine], folder, "supine");
+    landmarks_.write(folder / "landmarks.csv");
+    write_parameters(parameters_, folder / "used.prm");
+  });
+  const std::array<image::ScalarImage, 2> unloaded_images =
+      write_images(unloaded_, inputs_.originals, stages_.results, folder, ranks_);
+  on_root(ranks_.world(), [&] {
+    const auto& [prone_image, supine_image] = inputs_.originals;
+    if (stages_.results.pictures)
+      output::write_registration_slices({prone_image.image, supine_image.image, prone_image.breast,
+                                         supine_image.breast, unloaded_images[prone],
+                                         unloaded_images[supine]},
+                                        folder);
+  });
 }
 
 } // namespace prosup::pipeline

@@ -30,6 +30,9 @@ std::array<mesh::UnloadedMesh, 2> gather_unloaded(const MeshPair& meshes,
 mesh::UnloadedMesh gather_unloaded(const mesh::TetMesh& mesh,
                                    const unloading::Unloading& unloading);
 
+/// Copies an unloaded mesh from one rank to another; only these two call it.
+void transfer_unloaded(mesh::UnloadedMesh& mesh, int from, int to, MPI_Comm communicator);
+
 /// One line on how far the unloading of `name` has come.
 std::string describe(const std::string& name, const unloading::UnloadingResult& result);
 

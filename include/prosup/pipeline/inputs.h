@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "prosup/image/voxel_image.h"
+#include "prosup/mesh/mask_mesher.h"
 #include "prosup/pipeline/case_parameters.h"
 #include "prosup/similarity/domain.h"
 
@@ -21,7 +22,7 @@ struct OriginalImage {
 
 /// The images of a case, ready for use.
 struct Inputs {
-  std::array<OriginalImage, 2> originals;   ///< on rank 0 only
+  std::array<OriginalImage, 2> originals;   ///< images on all ranks, masks on rank 0
   std::array<image::ScalarImage, 2> images; ///< isotropic, scaled to [0, 1]
   similarity::Scene scene;                  ///< isotropic labels
 };
@@ -29,7 +30,8 @@ struct Inputs {
 /// Reads and prepares images and label images, section "Images".
 class InputReader : public dealii::ParameterAcceptor {
 public:
-  InputReader();
+  /// The mesher knows what the labels mean.
+  explicit InputReader(const mesh::MaskMesher& mesher);
   void declare_parameters(dealii::ParameterHandler& prm) override;
 
   /// Both pairs; the same on all ranks. @throws Error for files that are
@@ -52,8 +54,7 @@ private:
 
   double voxel_edge_ = 1.;
   double low_percentile_ = 1., high_percentile_ = 99.;
-  unsigned chest_label_ = 1;
-  std::vector<unsigned> tissue_labels_{2, 3};
+  const mesh::MaskMesher& mesher_;
 };
 
 } // namespace prosup::pipeline

@@ -39,10 +39,11 @@ private:
   void push_with_image_forces();
   void write(const std::filesystem::path& folder);
 
+  /// Gathers the unloaded meshes and takes their error.
+  void evaluate(std::optional<evaluation::ErrorStatistics>& error);
   void record(const std::array<unloading::UnloadingResult, 2>& results);
   void record(const std::vector<registration::SimilarityRecord>& history);
   void add_mesh_summaries();
-  void write_images(const std::filesystem::path& folder) const;
 
   const Stages& stages_;
   const dealii::ParameterHandler& parameters_;

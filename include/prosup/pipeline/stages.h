@@ -21,8 +21,8 @@ namespace prosup::pipeline {
 /// them all, so that one parameter file serves every command.
 struct Stages {
   CaseParameters scene;
-  InputReader inputs;
   mesh::MaskMesher mesher;
+  InputReader inputs{mesher};
   mechanics::TissueMaterial material;
   unloading::UnloadingParameters unloading;
   registration::SimilarityParameters similarity;

@@ -1,0 +1,27 @@
+#ifndef PROSUP_PIPELINE_RESULT_IMAGES_H
+#define PROSUP_PIPELINE_RESULT_IMAGES_H
+
+#include <array>
+#include <filesystem>
+
+#include "prosup/image/voxel_image.h"
+#include "prosup/mesh/tet_mesh.h"
+#include "prosup/pipeline/inputs.h"
+#include "prosup/pipeline/result_parameters.h"
+#include "prosup/registration/body_pair.h"
+
+namespace prosup::pipeline {
+
+/// Writes the four displacement fields and both unloaded images to `folder`,
+/// those of each state by the first rank that works on it, so that two ranks
+/// share the work. The meshes come from rank 0 and go to the other.
+/// Collective; returns the unloaded images on rank 0.
+std::array<image::ScalarImage, 2> write_images(std::array<mesh::UnloadedMesh, 2>& unloaded,
+                                               const std::array<OriginalImage, 2>& originals,
+                                               const ResultParameters& parameters,
+                                               const std::filesystem::path& folder,
+                                               const registration::RankSplit& ranks);
+
+} // namespace prosup::pipeline
+
+#endif
