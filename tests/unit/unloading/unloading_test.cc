@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "box.h"
+#include "loaded_box.h"
 #include "prosup/core/error.h"
 #include "prosup/mechanics/material.h"
 
@@ -21,15 +21,8 @@ namespace {
 
 const Tensor<1, 3> down({0., -1., 0.});
 
-struct TightParameters : UnloadingParameters {
-  TightParameters() {
-    fixed_boundaries = {3}; // hangs from the face at high y
-    residual_tolerance = 1e-6;
-    position_tolerance = 1e-4;
-    damping_rate = 40.;
-    max_steps = 200000;
-  }
-};
+using tests::HangingBoxParameters;
+using tests::LoadedBox;
 
 double extreme_height(const mechanics::Body& body, const NodeVector& positions, double sign) {
   double extreme = -1e30;
@@ -38,39 +31,12 @@ double extreme_height(const mechanics::Body& body, const NodeVector& positions, 
   return sign * Utilities::MPI::max(extreme, MPI_COMM_WORLD);
 }
 
-/// Position of each vertex of the box after hanging under its weight, by a
-/// forward simulation; keyed by cell so that it does not depend on the ranks.
-struct LoadedBox {
-  std::vector<std::array<Point<3>, 4>> before, after;
-
-  Point<3> operator()(const Point<3>& X) const {
-    for (std::size_t cell = 0; cell < before.size(); ++cell)
-      for (unsigned a = 0; a < 4; ++a)
-        if (before[cell][a].distance(X) < 1e-6)
-          return after[cell][a];
-    ADD_FAILURE() << "no such vertex: " << X;
-    return X;
-  }
-};
-
 constexpr unsigned n_edges = 4;
 constexpr double edge = 15.;
 
-LoadedBox load_box(const std::vector<mechanics::LameParameters>& material, double gravity) {
-  // On one rank each: the forward simulation is not what is distributed here.
-  const auto mesh = tests::make_box(MPI_COMM_SELF, {n_edges, n_edges, n_edges}, {edge, edge, edge});
-  const mechanics::Body body(*mesh);
-  TightParameters parameters;
-  parameters.gravity = gravity;
-  Unloading loading(parameters, body, down);
-  loading.hold_reference();
-  loading.set_material(material);
-  const UnloadingResult result = loading.run();
-  EXPECT_TRUE(result.converged);
-  NodeVector after = loading.displacement();
-  after += body.vertex_positions();
-  after.update_ghost_values();
-  return {body.gather_at_cells(body.vertex_positions()), body.gather_at_cells(after)};
+LoadedBox load_box(const std::vector<mechanics::LameParameters>& material,
+                   const UnloadingParameters& parameters) {
+  return LoadedBox({n_edges, n_edges, n_edges}, {edge, edge, edge}, material, parameters, down);
 }
 
 /// Largest distance between the unloaded positions found and the box the
@@ -81,12 +47,7 @@ double unloading_error(const LoadedBox& box, const Unloading& unloading) {
   for (unsigned node = 0; node < body.n_owned_nodes(); ++node) {
     const Point<3> found(node_value(unloading.unloaded(), node));
     const Point<3> loaded(node_value(body.vertex_positions(), node));
-    double nearest = 1e30;
-    for (std::size_t cell = 0; cell < box.before.size(); ++cell)
-      for (unsigned a = 0; a < 4; ++a)
-        if (box.after[cell][a].distance(loaded) < 1e-6)
-          nearest = std::min(nearest, box.before[cell][a].distance(found));
-    largest = std::max(largest, nearest);
+    largest = std::max(largest, box.unloaded(loaded).distance(found));
   }
   return Utilities::MPI::max(largest, MPI_COMM_WORLD);
 }
@@ -115,7 +76,7 @@ TEST(Loading, HangingColumnAgainstItsExactSolution) {
   const double length = 100., mu = 500.;
   const auto mesh = tests::make_box(MPI_COMM_WORLD, {1, 50, 1}, {4., length, 4.});
   const mechanics::Body body(*mesh);
-  TightParameters parameters;
+  HangingBoxParameters parameters;
   parameters.damping_rate = 25.;
   parameters.scaled_fraction = 0.;
   Unloading loading(parameters, body, down);
@@ -140,9 +101,9 @@ TEST(Loading, HangingColumnAgainstItsExactSolution) {
 TEST(Unloading, RecoversTheBoxThatWasLoaded) {
   const std::vector<mechanics::LameParameters> material{
       mechanics::lame_parameters(500. / 2.9, 0.45)};
-  TightParameters parameters;
+  HangingBoxParameters parameters;
   parameters.gravity = 2. * standard_gravity;
-  const LoadedBox box = load_box(material, parameters.gravity);
+  const LoadedBox box = load_box(material, parameters);
   EXPECT_LT(box(Point<3>(0., 0., 0.))[1], -3.); // it sags
   const UnloadedBox unloaded = unload_box(parameters, box, material);
   EXPECT_TRUE(unloaded.result.converged);
@@ -151,8 +112,8 @@ TEST(Unloading, RecoversTheBoxThatWasLoaded) {
 
 TEST(Unloading, ResultDoesNotDependOnTheWayThere) {
   const std::vector<mechanics::LameParameters> material{mechanics::lame_parameters(200., 0.4)};
-  TightParameters parameters;
-  const LoadedBox box = load_box(material, parameters.gravity);
+  HangingBoxParameters parameters;
+  const LoadedBox box = load_box(material, parameters);
   for (const double lag : {0.05, 0.2})
     for (const double scaled : {0., 0.5}) {
       parameters.lag = lag;
@@ -166,7 +127,7 @@ TEST(Unloading, GoesBackAndGivesUpWithADiagnosis) {
   const std::vector<mechanics::LameParameters> jelly{mechanics::lame_parameters(4., 0.45)};
   const auto mesh = tests::make_box(MPI_COMM_WORLD, {4, 4, 4}, {60., 60., 60.});
   const mechanics::Body body(*mesh);
-  TightParameters parameters;
+  HangingBoxParameters parameters;
   parameters.max_retries = 2;
   Unloading unloading(parameters, body, -down, "the test body");
   unloading.set_material(jelly);
@@ -185,8 +146,8 @@ TEST(Unloading, GoesBackAndGivesUpWithADiagnosis) {
 
 TEST(Unloading, StepThatIsTooLargeIsAnsweredBySmallerOnes) {
   const std::vector<mechanics::LameParameters> material{mechanics::lame_parameters(300., 0.45)};
-  TightParameters parameters;
-  const LoadedBox box = load_box(material, parameters.gravity);
+  HangingBoxParameters parameters;
+  const LoadedBox box = load_box(material, parameters);
   parameters.step_safety = 2.;
   parameters.scaled_fraction = 0.;
   const UnloadedBox unloaded = unload_box(parameters, box, material);
@@ -198,7 +159,7 @@ TEST(Unloading, StepThatIsTooLargeIsAnsweredBySmallerOnes) {
 TEST(Unloading, RejectsWhatCannotBeSimulated) {
   const auto mesh = tests::make_box(MPI_COMM_WORLD, {2, 2, 2}, {10., 10., 10.});
   const mechanics::Body body(*mesh);
-  TightParameters parameters;
+  HangingBoxParameters parameters;
   EXPECT_THROW(Unloading(parameters, body, Tensor<1, 3>()), Error);
   parameters.fixed_boundaries = {77};
   EXPECT_THROW(Unloading(parameters, body, down), Error);

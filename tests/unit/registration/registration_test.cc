@@ -1,0 +1,151 @@
+#include <deal.II/base/mpi.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "loaded_box.h"
+#include "prosup/core/error.h"
+#include "prosup/mesh/scan_conversion.h"
+#include "prosup/registration/body_pair.h"
+#include "prosup/registration/image_force_registration.h"
+#include "prosup/registration/material_update.h"
+#include "prosup/registration/similarity_setup.h"
+
+using namespace dealii;
+using namespace prosup;
+using namespace prosup::registration;
+using mechanics::node_value;
+using similarity::prone;
+using similarity::supine;
+
+namespace {
+
+constexpr double true_shear_modulus = 300.; // Pa
+const std::vector<unsigned> n_cells{5, 4, 5};
+const Point<3> size(45., 32., 45.);
+const Tensor<1, 3> gravity[2] = {Tensor<1, 3>({0., -1., 0.}), Tensor<1, 3>({0., 1., 0.})};
+
+float texture(const Point<3>& X) {
+  return float(0.5 + 0.25 * std::sin(0.25 * X[0]) * std::cos(0.3 * X[1]) +
+               0.25 * std::cos(0.22 * X[2] + 0.1 * X[1]));
+}
+
+/// The same textured block hanging and standing on its upper face, as images,
+/// with one body of each set up on the ranks of a split.
+struct Scene {
+  tests::HangingBoxParameters parameters;
+  mechanics::TissueMaterial material;
+  SimilarityParameters similarity_parameters;
+  RankSplit ranks{MPI_COMM_WORLD};
+  BodyPair pair{ranks};
+  similarity::Scene surroundings;
+
+  Scene() {
+    parameters.residual_tolerance = 1e-3;
+    parameters.position_tolerance = 1e-2;
+    const std::vector<mechanics::LameParameters> truth{
+        mechanics::lame_parameters(true_shear_modulus, material.poisson_ratio())};
+    std::vector<tests::LoadedBox> loaded;
+    for (const unsigned s : {0u, 1u})
+      loaded.emplace_back(n_cells, size, truth, parameters, gravity[s]);
+    pair.for_each([&](State s, BodyState& state) {
+      const auto mesh = tests::make_box(ranks.group(), n_cells, size, loaded[s]);
+      state.body = std::make_unique<mechanics::Body>(*mesh);
+      state.unloading = std::make_unique<unloading::Unloading>(parameters, *state.body, gravity[s]);
+      state.image = image_of(loaded[s]);
+    });
+    for (image::LabelImage& labels : surroundings.labels)
+      labels = image::LabelImage(grid(), 0);
+  }
+
+  static image::VoxelGrid grid() { return image::grid_around(Point<3>(), size, 1., 20.); }
+
+  static image::ScalarImage image_of(const tests::LoadedBox& box) {
+    image::ScalarImage image(grid());
+    for (std::size_t cell = 0; cell < box.after.size(); ++cell)
+      mesh::scan_convert_tet(image.grid, box.after[cell],
+                             [&](auto i, auto j, auto k, const auto& weights) {
+                               Point<3> X;
+                               for (unsigned a = 0; a < 4; ++a)
+                                 X += weights[a] * Tensor<1, 3>(box.before[cell][a]);
+                               image(i, j, k) = texture(X);
+                             });
+    return image;
+  }
+
+  void unload(double shear_modulus) {
+    pair.set_material(material, shear_modulus);
+    for (const auto& result : pair.unload())
+      EXPECT_TRUE(result.converged);
+  }
+
+  /// Mean distance between the unloaded positions and the true block, mm.
+  double error() {
+    double sum = 0.;
+    unsigned n = 0;
+    pair.for_each([&](State, BodyState& state) {
+      const auto mesh = tests::make_box(ranks.group(), n_cells, size);
+      const mechanics::Body block(*mesh); // the same topology has the same node numbers
+      for (unsigned node = 0; node < block.n_owned_nodes(); ++node, ++n)
+        sum += (node_value(state.unloading->unloaded(), node) -
+                node_value(block.vertex_positions(), node))
+                   .norm();
+    });
+    return Utilities::MPI::sum(sum, MPI_COMM_WORLD) / Utilities::MPI::sum(n, MPI_COMM_WORLD);
+  }
+};
+
+} // namespace
+
+TEST(RankSplit, SharesTheRanks) {
+  const RankSplit ranks(MPI_COMM_WORLD);
+  const unsigned n = Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+  for (const State state : {prone, supine})
+    EXPECT_EQ(Utilities::MPI::sum(ranks.holds(state) ? 1u : 0u, MPI_COMM_WORLD),
+              n == 1 ? 1u : (state == prone ? (n + 1) / 2 : n / 2));
+  if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) ==
+      static_cast<unsigned>(ranks.first_rank(supine))) {
+    EXPECT_TRUE(ranks.holds(supine));
+  }
+}
+
+TEST(BodyPair, AFailureOfOneStateIsTheFailureOfAll) {
+  const RankSplit ranks(MPI_COMM_WORLD);
+  BodyPair pair(ranks);
+  EXPECT_THROW(pair.for_each([](State state, BodyState&) {
+    if (state == supine)
+      throw Error("only supine");
+  }),
+               Error);
+}
+
+TEST(MaterialUpdate, FindsTheShearModulusFromEitherSide) {
+  Scene scene;
+  const SimilaritySetup setup(scene.similarity_parameters, MPI_COMM_WORLD);
+  const MaterialUpdate update;
+  for (const double factor : {1.1 * 1.1 * 1.1, 1. / (1.1 * 1.1)}) {
+    const double start = factor * true_shear_modulus;
+    scene.unload(start);
+    const double before = scene.error();
+    const auto result =
+        update.run(scene.pair, setup, setup.domain(scene.pair, scene.surroundings, 2.),
+                   scene.material, start, Log());
+    EXPECT_NEAR(result.shear_modulus, true_shear_modulus, 0.051 * true_shear_modulus);
+    EXPECT_TRUE(result.converged);
+    EXPECT_LT(scene.error(), 0.2 * before);
+  }
+}
+
+TEST(ImageForceRegistration, BringsBothStatesTogether) {
+  Scene scene;
+  const double wrong = 1.4 * true_shear_modulus;
+  scene.unload(wrong);
+  const double before = scene.error();
+  const SimilaritySetup setup(scene.similarity_parameters, MPI_COMM_WORLD);
+  const ImageForceRegistration registration;
+  const auto result = registration.run(scene.pair, setup, scene.surroundings, wrong, Log());
+  ASSERT_GT(result.n_updates, 5u);
+  EXPECT_TRUE(result.converged);
+  EXPECT_LT(result.history.back().value, 0.1 * result.history.front().value);
+  EXPECT_LT(scene.error(), 0.35 * before);
+}
