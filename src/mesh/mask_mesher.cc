@@ -12,6 +12,7 @@
 #include "prosup/core/error.h"
 #include "prosup/core/log.h"
 #include "prosup/image/filters.h"
+#include "prosup/mesh/quality.h"
 #include "surface_remesher.h"
 #include "volume_mesher.h"
 
@@ -28,6 +29,9 @@ constexpr double contour_spacing = 0.6;
 /// Smallest height of a cell that is aimed at, over the edge length; 0.82 is
 /// that of a regular tetrahedron.
 constexpr double wanted_height = 0.5;
+
+/// A mesh with a worse radius ratio than this is as good as inverted.
+constexpr double worst_quality = 1e-3;
 
 /// Smallest volume that is worth meshing, in cubes of the edge length.
 constexpr double smallest_body = 4.;
@@ -83,7 +87,8 @@ void restore_volume(SurfaceRemesher& remesher, double volume, double largest_shi
   }
 }
 
-/// The mesh in the frame of the grid, without tissues and boundary parts.
+/// The mesh in the frame of the grid, without tissues and boundary parts. Without
+/// cells if it cannot be made at this edge length.
 TetMesh mesh_level_set(const LevelSet& phi, double edge_length) {
   const Contour fine = contour(phi, contour_spacing * edge_length);
   if (fine.surface.triangles.empty())
@@ -96,12 +101,26 @@ TetMesh mesh_level_set(const LevelSet& phi, double edge_length) {
   if (enclosed_volume(surface) < smallest_body * std::pow(edge_length, 3))
     refuse(phi.mask_volume(), edge_length);
   TetMesh mesh = fill_with_tets(surface, edge_length);
+  if (mesh.cells.empty())
+    return mesh;
   const double height = wanted_height * edge_length;
   const std::vector<unsigned> patches = node_patches(surface);
   improve_worst_cells(mesh, patches, remesher.projection(), height);
   if (peel_flat_cells(mesh, 0.7 * height) > 0)
     improve_worst_cells(mesh, patches, remesher.projection(), height);
-  return mesh;
+  return measure_quality(mesh).min_quality > worst_quality ? mesh : TetMesh();
+}
+
+/// As above; where thin parts of the mask make it fail, once more with shorter edges.
+TetMesh mesh_with_patience(const LevelSet& phi, double edge_length) {
+  for (const double part : {1., 0.8, 0.64}) {
+    TetMesh mesh = mesh_level_set(phi, part * edge_length);
+    if (!mesh.cells.empty())
+      return mesh;
+  }
+  throw Error(format("gmsh could not fill the breast surface with tetrahedra of edge length %g mm; "
+                     "choose a smaller \"Meshing/Edge length\", or mend thin parts of the mask.",
+                     edge_length));
 }
 
 /// Moves a mesh from the frame of the grid to physical space.
@@ -143,7 +162,7 @@ TetMesh MaskMesher::run(const image::LabelImage& labels) const {
   const image::LabelImage upright = in_grid_frame(labels);
   const LevelSet phi(breast_mask(upright, tissue_labels),
                      smoothing * std::cbrt(labels.grid.voxel_volume()));
-  TetMesh mesh = mesh_level_set(phi, edge_length);
+  TetMesh mesh = mesh_with_patience(phi, edge_length);
   mesh.tissue = sample_tissue(mesh, upright, tissue_labels);
   mesh.boundary_faces = find_boundary(mesh, upright, tissue_labels, chest_label);
   to_physical(mesh, labels.grid);

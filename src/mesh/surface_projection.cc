@@ -4,6 +4,13 @@
 
 namespace prosup::mesh {
 
+bool SurfaceProjection::inside_box(const Point<3>& x) const {
+  for (unsigned d = 0; d < 3; ++d)
+    if (x[d] < phi_.box()[0][d] || x[d] > phi_.box()[1][d])
+      return false;
+  return true;
+}
+
 bool SurfaceProjection::apply(Point<3>& x, unsigned patches) const {
   bool fixed[3] = {false, false, false};
   for (unsigned p = 0; p < TriangleMesh::free_surface; ++p)
@@ -19,6 +26,8 @@ bool SurfaceProjection::apply(Point<3>& x, unsigned patches) const {
     dealii::Tensor<1, 3> gradient;
     const double distance = phi_.value_and_gradient(near, gradient) - level_;
     if (std::abs(distance) < tolerance) {
+      if (!inside_box(near))
+        return false;
       x = near;
       return true;
     }
@@ -33,6 +42,17 @@ bool SurfaceProjection::apply(Point<3>& x, unsigned patches) const {
       return false;
   }
   return false;
+}
+
+dealii::Tensor<1, 3> SurfaceProjection::outward(const Point<3>& x, unsigned patch) const {
+  dealii::Tensor<1, 3> normal;
+  if (patch != TriangleMesh::free_surface) {
+    normal[patch / 2] = patch % 2 == 0 ? -1. : 1.;
+    return normal;
+  }
+  phi_.value_and_gradient(x, normal);
+  const double norm = normal.norm();
+  return norm > 0. ? normal / norm : normal;
 }
 
 } // namespace prosup::mesh

@@ -17,12 +17,18 @@ public:
   static constexpr unsigned set_of(unsigned patch) { return 1u << patch; }
 
   /// Moves x to a point of all patches in the set `patches` near it. Returns false
-  /// if there is none within reach; x then is moved to the faces of the box only.
+  /// if there is none within reach and the box; x then is moved to the faces of the box only.
   bool apply(Point<3>& x, unsigned patches) const;
+
+  /// Unit vector outwards at x on a patch: the normal of the plane, or the gradient of
+  /// phi; zero where phi has none.
+  dealii::Tensor<1, 3> outward(const Point<3>& x, unsigned patch) const;
 
   void set_level(double level) { level_ = level; }
 
 private:
+  bool inside_box(const Point<3>& x) const;
+
   const LevelSet& phi_;
   double reach_;
   double level_ = 0.;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "triangle_shape.h"
+
 namespace prosup::mesh {
 
 namespace {
@@ -11,29 +13,6 @@ using Vector = dealii::Tensor<1, 3>;
 using Edge = SurfaceTopology::Edge;
 
 constexpr unsigned nobody = ~0u;
-
-Vector area_vector(const Point<3>& a, const Point<3>& b, const Point<3>& c) {
-  return 0.5 * cross_product_3d(b - a, c - a);
-}
-
-/// Area over that of the equilateral triangle on the longest side.
-double flatness(const Point<3>& a, const Point<3>& b, const Point<3>& c, double area) {
-  const double longest =
-      std::max({(b - a).norm_square(), (c - b).norm_square(), (a - c).norm_square()});
-  return longest > 0. ? area / (0.25 * std::sqrt(3.) * longest) : 0.;
-}
-
-/// Whether a triangle that had the area vector `before` is no sliver and still
-/// on the same side. Slivers, as a contour has many, have no reliable side.
-bool is_acceptable(const Vector& before, double flatness_before, const Point<3>& a,
-                   const Point<3>& b, const Point<3>& c) {
-  constexpr double sliver = 0.05;
-  const Vector after = area_vector(a, b, c);
-  const double area = after.norm();
-  if (flatness(a, b, c, area) < std::min(sliver, flatness_before))
-    return false;
-  return flatness_before < sliver || before * after > 0.5 * before.norm() * area;
-}
 
 } // namespace
 
@@ -120,6 +99,14 @@ bool SurfaceRemesher::collapse(unsigned removed, unsigned kept) {
       std::any_of(others.begin(), others.end(), too_far) || !may_move(removed, target, kept) ||
       !may_move(kept, target, removed))
     return false;
+  // A triangle with all corners on the rim of a plane would lie on its cap.
+  for (const unsigned t : topology_.star(removed)) {
+    auto triangle = topology_.triangle(t);
+    std::replace(triangle.begin(), triangle.end(), removed, kept);
+    if (t != edge.left_triangle && t != edge.right_triangle &&
+        in_foreign_plane(topology_.patch(t), triangle))
+      return false;
+  }
   topology_.collapse(edge, removed, kept);
   topology_.move(kept, target);
   return true;
@@ -149,11 +136,33 @@ bool SurfaceRemesher::flip_helps(const Edge& edge) const {
       std::find(opposite.begin(), opposite.end(), edge.right) != opposite.end() ||
       topology_.find_edge(edge.left, edge.right, present))
     return false;
-  const Point<3>&a = topology_.point(edge.a), &b = topology_.point(edge.b),
-        &left = topology_.point(edge.left), &right = topology_.point(edge.right);
-  const Vector normal = area_vector(a, b, left) + area_vector(b, a, right);
-  return (left - right).norm() < 1.5 * edge_length_ && is_acceptable(normal, 1., a, right, left) &&
-         is_acceptable(normal, 1., right, b, left);
+  return (topology_.point(edge.left) - topology_.point(edge.right)).norm() < 1.5 * edge_length_ &&
+         flipped_is_acceptable(edge, edge.a, edge.right, edge.left) &&
+         flipped_is_acceptable(edge, edge.right, edge.b, edge.left);
+}
+
+bool SurfaceRemesher::flipped_is_acceptable(const Edge& edge, unsigned a, unsigned b,
+                                            unsigned c) const {
+  const unsigned patch = topology_.patch(edge.left_triangle);
+  if (in_foreign_plane(patch, {a, b, c}))
+    return false;
+  const Corners3 after = corners({a, b, c});
+  const auto replaces = [&](unsigned t) {
+    return may_become(corners(topology_.triangle(t)), after, patch, projection_);
+  };
+  return replaces(edge.left_triangle) && replaces(edge.right_triangle);
+}
+
+bool SurfaceRemesher::in_foreign_plane(unsigned patch,
+                                       const std::array<unsigned, 3>& triangle) const {
+  const unsigned common = topology_.patches(triangle[0]) & topology_.patches(triangle[1]) &
+                          topology_.patches(triangle[2]);
+  return (common & ~SurfaceProjection::set_of(patch) &
+          ~SurfaceProjection::set_of(TriangleMesh::free_surface)) != 0;
+}
+
+Corners3 SurfaceRemesher::corners(const std::array<unsigned, 3>& triangle) const {
+  return {topology_.point(triangle[0]), topology_.point(triangle[1]), topology_.point(triangle[2])};
 }
 
 void SurfaceRemesher::relax() {
@@ -175,10 +184,9 @@ Point<3> SurfaceRemesher::relaxed_position(unsigned vertex) const {
   Vector centroid;
   double area_sum = 0.;
   for (const unsigned t : topology_.star(vertex)) {
-    const auto& [a, b, c] = topology_.triangle(t);
-    const Point<3>&p = topology_.point(a), &q = topology_.point(b), &r = topology_.point(c);
-    const double area = area_vector(p, q, r).norm();
-    centroid += area / 3. * (p + q + r);
+    const Corners3 x = corners(topology_.triangle(t));
+    const double area = area_vector(x).norm();
+    centroid += area / 3. * (x[0] + x[1] + x[2]);
     area_sum += area;
   }
   return area_sum > 0. ? Point<3>(centroid / area_sum) : x;
@@ -186,16 +194,15 @@ Point<3> SurfaceRemesher::relaxed_position(unsigned vertex) const {
 
 bool SurfaceRemesher::may_move(unsigned vertex, const Point<3>& target, unsigned except) const {
   for (const unsigned t : topology_.star(vertex)) {
-    const auto& corners = topology_.triangle(t);
-    if (std::find(corners.begin(), corners.end(), except) != corners.end())
+    const auto& triangle = topology_.triangle(t);
+    if (std::find(triangle.begin(), triangle.end(), except) != triangle.end())
       continue;
-    std::array<Point<3>, 3> after;
+    const Corners3 before = corners(triangle);
+    Corners3 after = before;
     for (unsigned i = 0; i < 3; ++i)
-      after[i] = corners[i] == vertex ? target : topology_.point(corners[i]);
-    const Point<3>&p = topology_.point(corners[0]), &q = topology_.point(corners[1]),
-          &r = topology_.point(corners[2]);
-    const Vector before = area_vector(p, q, r);
-    if (!is_acceptable(before, flatness(p, q, r, before.norm()), after[0], after[1], after[2]))
+      if (triangle[i] == vertex)
+        after[i] = target;
+    if (!may_become(before, after, topology_.patch(t), projection_))
       return false;
   }
   return true;

@@ -26,6 +26,8 @@ public:
   void move(unsigned vertex, const Point<3>& position) { points_[vertex] = position; }
   const std::array<unsigned, 3>& triangle(unsigned t) const { return triangles_[t]; }
 
+  unsigned patch(unsigned t) const { return patch_[t]; }
+
   /// Triangles around a vertex.
   const std::vector<unsigned>& star(unsigned vertex) const { return star_[vertex]; }
 

@@ -4,11 +4,8 @@
 
 #include <array>
 #include <numeric>
-#include <string>
 
 #include "gmsh_session.h"
-#include "prosup/core/error.h"
-#include "prosup/core/log.h"
 
 namespace prosup::mesh {
 
@@ -88,8 +85,6 @@ TetMesh extract() {
 TetMesh fill_with_tets(const TriangleMesh& surface, double edge_length) {
   GmshSession session("prosup mask mesh");
   set_options(session, edge_length);
-  TetMesh mesh;
-  bool failed = false;
   try {
     add_surface(surface);
     gmsh::model::mesh::generate(3);
@@ -97,16 +92,11 @@ TetMesh fill_with_tets(const TriangleMesh& surface, double edge_length) {
       session.set_option("Mesh.OptimizeThreshold", threshold);
       gmsh::model::mesh::optimize("");
     }
-    mesh = extract();
+    return extract();
   } catch (...) {
     // gmsh 4.8 throws integers, later versions strings.
-    failed = true;
+    return {};
   }
-  if (failed || mesh.cells.empty())
-    throw Error(format("gmsh could not fill the breast surface with tetrahedra of edge length "
-                       "%g mm; try a smaller edge length, or mend thin parts of the mask.",
-                       edge_length));
-  return mesh;
 }
 
 } // namespace prosup::mesh

@@ -7,8 +7,8 @@ namespace prosup::mesh {
 
 /// Fills a closed surface with tetrahedra of about `edge_length` (gmsh), and
 /// optimises them. The nodes of the surface keep their numbers and positions.
-/// Only points and cells of the result are filled in.
-/// @throws Error if gmsh cannot fill the surface.
+/// Only points and cells of the result are filled in; without cells if gmsh fails,
+/// as it does where the surface cuts itself.
 TetMesh fill_with_tets(const TriangleMesh& surface, double edge_length);
 
 } // namespace prosup::mesh
