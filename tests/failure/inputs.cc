@@ -82,9 +82,9 @@ TEST_F(Input, EmptyMask) {
 }
 
 TEST_F(Input, LabelThatIsNotThere) {
-  expect_refused(registering({"--set", "Images/Chest label=9"}),
+  expect_refused(registering({"--set", "Meshing/Chest label=9"}),
                  {"prone_labels.nii.gz", "no voxel of label 9", "chest", "0, 1, 2, 3"});
-  expect_refused(registering({"--set", "Images/Tissue labels=7"}),
+  expect_refused(registering({"--set", "Meshing/Tissue labels=7"}),
                  {"prone_labels.nii.gz", "no voxel of label 7", "Tissue labels", "0, 1, 2, 3"});
 }
 
