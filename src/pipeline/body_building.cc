@@ -12,11 +12,10 @@ using registration::BodyPair;
 using registration::BodyState;
 using registration::State;
 using similarity::prone;
+using similarity::state_names;
 using similarity::supine;
 
 namespace {
-
-constexpr const char* state_names[2] = {"prone", "supine"};
 
 void transfer_mesh(mesh::TetMesh& mesh, int from, int to, MPI_Comm communicator) {
   transfer(mesh.points, from, to, communicator);

@@ -1,14 +1,14 @@
 #include "prosup/pipeline/case_parameters.h"
 
 #include "prosup/core/error.h"
+#include "prosup/similarity/metric.h"
 
 namespace prosup::pipeline {
 
 using namespace dealii;
+using similarity::state_names;
 
 namespace {
-
-constexpr const char* state_names[2] = {"prone", "supine"};
 
 std::string capitalized(const char* word) {
   std::string text(word);

@@ -50,7 +50,7 @@ void run_mesh(const Stages& stages, const dealii::ParameterHandler& parameters,
         output::StateSummary{quality.n_cells, quality.n_nodes, quality.min_quality, {}};
     summary.converged = true;
     summary.time.total = timer.total();
-    output::write_mesh({mesh, mesh.points}, folder.path(), state == 0 ? "prone" : "supine");
+    output::write_mesh({mesh, mesh.points}, folder.path(), similarity::state_names[state]);
     write_parameters(parameters, folder.path() / "used.prm");
     output::write_summary(summary, folder.path() / "summary.json");
     folder.commit();

@@ -27,16 +27,16 @@ ScalarImage write_state(State state, const std::array<mesh::UnloadedMesh, 2>& un
                         const ScalarImage& loaded, const image::VoxelGrid& unloaded_grid,
                         const std::filesystem::path& folder) {
   const State other = state == prone ? supine : prone;
-  const std::string names[2] = {"prone", "supine"};
+  const std::string name = similarity::state_names[state];
   const PointMapper mapper(unloaded[state]), other_mapper(unloaded[other]);
   const image::VectorImage from_unloaded =
       output::unloaded_to_loaded(unloaded_grid, unloaded[state], mapper);
-  image::write_displacement(from_unloaded, folder / ("unloaded_to_" + names[state] + ".nrrd"));
+  image::write_displacement(from_unloaded, folder / ("unloaded_to_" + name + ".nrrd"));
   image::write_displacement(
       output::loaded_to_loaded(loaded.grid, unloaded[state], mapper, other_mapper),
-      folder / (names[state] + "_to_" + names[other] + ".nrrd"));
+      folder / (name + "_to_" + similarity::state_names[other] + ".nrrd"));
   ScalarImage warped = image::warp(loaded, from_unloaded);
-  image::write_image(warped, folder / (names[state] + "_unloaded.nii.gz"));
+  image::write_image(warped, folder / (name + "_unloaded.nii.gz"));
   return warped;
 }
 

@@ -21,11 +21,10 @@
 
 namespace prosup::pipeline {
 
+using similarity::state_names;
 using unloading::UnloadingResult;
 
 namespace {
-
-constexpr const char* state_names[2] = {"prone", "supine"};
 
 /// One state to its unloaded configuration, on all ranks of a communicator.
 class UnloadJob {
