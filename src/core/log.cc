@@ -1,22 +1,41 @@
 #include "prosup/core/log.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <cstdarg>
 #include <cstdio>
+#include <cstdlib>
 
 namespace prosup {
 
 namespace {
+
 constexpr const char* erase_line = "\r\033[K";
+
+/// mpirun gives its processes a terminal of their own, wherever its output
+/// goes; then it is mpirun's standard output that tells.
+bool someone_watches() {
+  if (isatty(STDOUT_FILENO) == 0)
+    return false;
+  if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr)
+    return true;
+  const std::string launcher = format("/proc/%d/fd/1", static_cast<int>(getppid()));
+  const int descriptor = open(launcher.c_str(), O_WRONLY | O_NOCTTY);
+  const bool is_terminal = descriptor >= 0 && isatty(descriptor) != 0;
+  if (descriptor >= 0)
+    close(descriptor);
+  return is_terminal;
 }
+
+} // namespace
 
 Log::Log(MPI_Comm communicator) {
   int rank = 0;
   MPI_Comm_rank(communicator, &rank);
   speaks_ = rank == 0;
-  on_terminal_ = speaks_ && isatty(STDOUT_FILENO) != 0;
+  on_terminal_ = speaks_ && someone_watches();
 }
 
 void Log::line(const std::string& text) const {

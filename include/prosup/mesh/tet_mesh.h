@@ -23,16 +23,16 @@ struct BoundaryFace {
 /// A tetrahedral mesh held whole on one process, in the state in which it was
 /// imaged (prone or supine, loaded).
 struct TetMesh {
-  std::vector<Point<3>> points;                 ///< loaded positions x, LPS mm
-  std::vector<std::array<unsigned, 4>> cells;   ///< positively oriented
-  std::vector<std::uint8_t> tissue;             ///< label of each cell (2 fat, 3 gland)
+  std::vector<Point<3>> points;               ///< loaded positions x, LPS mm
+  std::vector<std::array<unsigned, 4>> cells; ///< positively oriented
+  std::vector<std::uint8_t> tissue;           ///< label of each cell (2 fat, 3 gland)
   std::vector<BoundaryFace> boundary_faces;
 };
 
 /// A TetMesh whose nodes also have a position in the unloaded configuration.
 struct UnloadedMesh {
   TetMesh mesh;
-  std::vector<Point<3>> unloaded;               ///< X of each node, LPS mm
+  std::vector<Point<3>> unloaded; ///< X of each node, LPS mm
 };
 
 /// Volume of a tetrahedron with the given corners, mm^3; negative if inverted.
