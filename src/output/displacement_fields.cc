@@ -147,15 +147,4 @@ VectorImage loaded_to_loaded(const VoxelGrid& grid, const mesh::UnloadedMesh& fr
   return field;
 }
 
-DisplacementFields displacement_fields(const mesh::UnloadedMesh& prone,
-                                       const mesh::UnloadedMesh& supine,
-                                       const VoxelGrid& unloaded_grid, const VoxelGrid& prone_grid,
-                                       const VoxelGrid& supine_grid) {
-  const PointMapper prone_mapper(prone), supine_mapper(supine);
-  return {unloaded_to_loaded(unloaded_grid, prone, prone_mapper),
-          unloaded_to_loaded(unloaded_grid, supine, supine_mapper),
-          loaded_to_loaded(prone_grid, prone, prone_mapper, supine_mapper),
-          loaded_to_loaded(supine_grid, supine, supine_mapper, prone_mapper)};
-}
-
 } // namespace prosup::output

@@ -25,17 +25,6 @@ image::VectorImage loaded_to_loaded(const image::VoxelGrid& grid, const mesh::Un
                                     const evaluation::PointMapper& from_mapper,
                                     const evaluation::PointMapper& to_mapper);
 
-struct DisplacementFields {
-  image::VectorImage unloaded_to_prone, unloaded_to_supine, prone_to_supine, supine_to_prone;
-};
-
-/// All four fields, on the common unloaded grid and the grids of the images.
-DisplacementFields displacement_fields(const mesh::UnloadedMesh& prone,
-                                       const mesh::UnloadedMesh& supine,
-                                       const image::VoxelGrid& unloaded_grid,
-                                       const image::VoxelGrid& prone_grid,
-                                       const image::VoxelGrid& supine_grid);
-
 } // namespace prosup::output
 
 #endif
