@@ -96,8 +96,8 @@ private:
 
   void record(ImageForceResult& result, unsigned iteration, double weight, double value) const {
     result.history.push_back({"image_forces", level_, iteration, 0., weight, value});
-    log_.line(format("  image forces: level %g mm, update %u, weight %.1f Pa, SSD %.1f", level_,
-                     iteration, weight, value));
+    log_.progress(format("  image forces: level %g mm, update %u, weight %.1f Pa, SSD %.1f", level_,
+                         iteration, weight, value));
   }
 
   const ImageForceRegistration& parameters_;
