@@ -51,6 +51,7 @@ Unloading::Unloading(const UnloadingParameters& parameters, const mechanics::Bod
     body.initialize(*vector);
   state_.unloaded = body.vertex_positions();
   state_.unloaded.update_ghost_values();
+  state_.displacement.update_ghost_values();
   integrator_.set_fixed_nodes(fixed_);
   integrator_.set_damping(parameters.damping_rate);
 }

@@ -22,6 +22,7 @@ double energy_growth(double safety) {
   kernel.set_reference(body.vertex_positions());
   NodeVector u, external;
   body.initialize(u);
+  u.update_ghost_values();
   body.initialize(external);
   CentralDifferences integrator(body, kernel);
   integrator.set_mass(stable_mass(body, kernel, u, 1e-3, safety, 0.));
@@ -62,6 +63,7 @@ TEST(CentralDifferences, MassScalingOnlyRaisesMasses) {
   kernel.set_reference(body.vertex_positions());
   NodeVector u;
   body.initialize(u);
+  u.update_ghost_values();
   const StableMass plain = stable_mass(body, kernel, u, 1e-3, 0.9, 0.);
   const StableMass scaled = stable_mass(body, kernel, u, 1e-3, 0.9, 0.3);
   EXPECT_GT(scaled.time_step, 1.2 * plain.time_step);
@@ -78,6 +80,7 @@ TEST(CentralDifferences, FallsFreelyAndFixedNodesStay) {
   kernel.set_reference(body.vertex_positions());
   NodeVector u, weight;
   body.initialize(u);
+  u.update_ghost_values();
   body.initialize(weight);
   const std::vector<double> volume = kernel.lumped_volume();
   for (unsigned node = 0; node < body.n_owned_nodes(); ++node)

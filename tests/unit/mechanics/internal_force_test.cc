@@ -35,6 +35,7 @@ struct Fixture {
       for (unsigned c = 0; c < 3; ++c)
         values.local_element(3 * node + c) = value[c];
     }
+    values.update_ghost_values();
     return values;
   }
 
