@@ -39,8 +39,8 @@ private:
   std::vector<Stage> stages_;
 };
 
-/// Largest memory that any process of the communicator has used, summed over
-/// its processes, MiB. Collective.
+/// Most memory that each process of the communicator has used, summed over them,
+/// MiB. Collective.
 double peak_memory(MPI_Comm communicator);
 
 } // namespace prosup::pipeline
