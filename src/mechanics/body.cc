@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "prosup/core/error.h"
+#include "prosup/core/tet_topology.h"
 
 namespace prosup::mechanics {
 
@@ -25,31 +26,38 @@ IndexSet three_per_node(const IndexSet& nodes) {
   return components;
 }
 
+/// Reorders a list that has `n` values for each item.
 template <typename T>
-void reorder(std::vector<T>& values, const std::vector<unsigned>& order) {
-  std::vector<T> reordered(values.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
-    reordered[i] = values[order[i]];
+void reorder(std::vector<T>& values, const std::vector<unsigned>& order, unsigned n = 1) {
+  std::vector<T> reordered;
+  reordered.reserve(values.size());
+  for (const unsigned item : order)
+    reordered.insert(reordered.end(), values.begin() + std::size_t(n) * item,
+                     values.begin() + std::size_t(n) * (item + 1));
   values.swap(reordered);
 }
 
+/// Parts of the area of a quadratic face.
+constexpr double area_at_corner = 1. / 12., area_at_edge = 1. / 4.;
+
 } // namespace
 
-Body::Body(const Triangulation<3>& triangulation)
-    : communicator_(triangulation.get_communicator()) {
+Body::Body(const Triangulation<3>& triangulation, Element element)
+    : communicator_(triangulation.get_communicator()), element_(element) {
   if (!triangulation.all_reference_cells_are_simplex())
     throw Error(
         "The mesh of a body has cells that are no tetrahedra; only tetrahedral meshes are "
         "allowed, so convert the others (GridGenerator::convert_hypercube_to_simplex_mesh).");
-  n_global_cells_ = triangulation.n_global_active_cells();
+  n_global_elements_ = triangulation.n_global_active_cells();
   number_nodes(triangulation);
-  sort_cells();
+  sort_elements();
+  list_cells();
 }
 
 void Body::number_nodes(const Triangulation<3>& triangulation) {
-  const FE_SimplexP<3> element(1);
+  const FE_SimplexP<3> shape(element_.degree());
   DoFHandler<3> nodes(triangulation);
-  nodes.distribute_dofs(element);
+  nodes.distribute_dofs(shape);
   DoFRenumbering::Cuthill_McKee(nodes);
 
   IndexSet active;
@@ -62,60 +70,121 @@ void Body::number_nodes(const Triangulation<3>& triangulation) {
   n_local_nodes_ = n_owned_nodes_ + partitioner_->n_ghost_indices() / 3;
   initialize(vertex_positions_);
 
-  const auto local = [&](types::global_dof_index node) {
-    return partitioner_->global_to_local(3 * node) / 3;
+  const auto add = [&](types::global_dof_index node, const Point<3>& position,
+                       std::vector<unsigned>& list) {
+    const unsigned local = partitioner_->global_to_local(3 * node) / 3;
+    for (unsigned c = 0; c < 3; ++c)
+      vertex_positions_.local_element(3 * local + c) = position[c];
+    list.push_back(local);
   };
   for (const auto& cell : nodes.active_cell_iterators()) {
     if (!cell->is_locally_owned())
       continue;
-    std::array<unsigned, 4> corners;
-    for (unsigned v = 0; v < 4; ++v) {
-      corners[v] = local(cell->vertex_dof_index(v, 0));
-      for (unsigned c = 0; c < 3; ++c)
-        vertex_positions_.local_element(3 * corners[v] + c) = cell->vertex(v)[c];
-    }
-    cells_.push_back(corners);
+    for (unsigned v = 0; v < 4; ++v)
+      add(cell->vertex_dof_index(v, 0), cell->vertex(v), element_nodes_);
+    if (element_.degree() == 2)
+      for (unsigned e = 0; e < 6; ++e)
+        add(cell->line(e)->dof_index(0), cell->line(e)->center(), element_nodes_);
     material_ids_.push_back(cell->material_id());
-    cell_ids_.push_back(cell->id().get_coarse_cell_id());
+    mesh_cells_.push_back(cell->id().get_coarse_cell_id());
     for (const unsigned f : cell->face_indices())
-      if (cell->face(f)->at_boundary())
+      if (cell->face(f)->at_boundary()) {
+        const auto face = cell->face(f);
+        BoundaryFace& boundary = boundary_faces_.emplace_back();
+        boundary.id = face->boundary_id();
         for (unsigned v = 0; v < 3; ++v)
-          boundary_nodes_.push_back(
-              {local(cell->face(f)->vertex_dof_index(v, 0)), cell->face(f)->boundary_id()});
+          add(face->vertex_dof_index(v, 0), face->vertex(v), boundary.nodes);
+        if (element_.degree() == 2)
+          for (unsigned e = 0; e < 3; ++e)
+            add(face->line(e)->dof_index(0), face->line(e)->center(), boundary.nodes);
+      }
   }
   vertex_positions_.update_ghost_values();
 }
 
-void Body::sort_cells() {
-  std::vector<unsigned> order(cells_.size());
+void Body::sort_elements() {
+  const unsigned n = element_.n_nodes();
+  std::vector<unsigned> order(n_elements());
   std::iota(order.begin(), order.end(), 0u);
-  const auto first_node = [&](unsigned cell) {
-    return *std::min_element(cells_[cell].begin(), cells_[cell].end());
+  const auto is_interior = [&](unsigned element) {
+    return *std::max_element(element_nodes(element), element_nodes(element) + n) < n_owned_nodes_;
   };
-  std::stable_sort(order.begin(), order.end(),
-                   [&](unsigned a, unsigned b) { return first_node(a) < first_node(b); });
-  reorder(cells_, order);
+  const auto first_node = [&](unsigned element) {
+    return *std::min_element(element_nodes(element), element_nodes(element) + n);
+  };
+  std::stable_sort(order.begin(), order.end(), [&](unsigned a, unsigned b) {
+    return std::make_pair(is_interior(a), first_node(a)) <
+           std::make_pair(is_interior(b), first_node(b));
+  });
+  n_interface_elements_ =
+      static_cast<unsigned>(order.size() - std::count_if(order.begin(), order.end(), is_interior));
+  reorder(element_nodes_, order, n);
   reorder(material_ids_, order);
-  reorder(cell_ids_, order);
+  reorder(mesh_cells_, order);
+}
+
+void Body::list_cells() {
+  for (unsigned e = 0; e < n_elements(); ++e) {
+    const unsigned* nodes = element_nodes(e);
+    if (element_.degree() == 1) {
+      cells_.push_back({nodes[0], nodes[1], nodes[2], nodes[3]});
+      cell_ids_.push_back(mesh_cells_[e]);
+      continue;
+    }
+    for (unsigned c = 0; c < tet_children.size(); ++c) {
+      const auto& child = tet_children[c];
+      cells_.push_back({nodes[child[0]], nodes[child[1]], nodes[child[2]], nodes[child[3]]});
+      cell_ids_.push_back(8 * mesh_cells_[e] + c);
+    }
+  }
 }
 
 void Body::initialize(NodeVector& vector) const {
   vector.reinit(partitioner_);
 }
 
-std::vector<bool> Body::nodes_on_boundary(const std::set<types::boundary_id>& ids) const {
-  NodeVector marks;
-  initialize(marks);
-  for (const BoundaryNode& boundary : boundary_nodes_)
-    if (ids.count(boundary.id) > 0)
-      marks.local_element(3 * boundary.node) = 1.;
-  // A node may touch the boundary only through a cell of another rank.
-  marks.compress(VectorOperation::add);
-  marks.update_ghost_values();
-  std::vector<bool> on_boundary(n_local_nodes_);
+std::vector<double> Body::sum_over_ranks(const std::vector<double>& at_local_nodes) const {
+  NodeVector sum;
+  initialize(sum);
   for (unsigned node = 0; node < n_local_nodes_; ++node)
-    on_boundary[node] = marks.local_element(3 * node) > 0.;
+    sum.local_element(3 * node) = at_local_nodes[node];
+  sum.compress(VectorOperation::add);
+  sum.update_ghost_values();
+  std::vector<double> result(n_local_nodes_);
+  for (unsigned node = 0; node < n_local_nodes_; ++node)
+    result[node] = sum.local_element(3 * node);
+  return result;
+}
+
+std::vector<bool> Body::nodes_on_boundary(const std::set<types::boundary_id>& ids) const {
+  std::vector<double> marks(n_local_nodes_, 0.);
+  for (const BoundaryFace& face : boundary_faces_)
+    if (ids.count(face.id) > 0)
+      for (const unsigned node : face.nodes)
+        marks[node] = 1.;
+  // A node may touch the boundary only through an element of another rank.
+  marks = sum_over_ranks(marks);
+  std::vector<bool> on_boundary(n_local_nodes_);
+  std::transform(marks.begin(), marks.end(), on_boundary.begin(),
+                 [](double mark) { return mark > 0.; });
   return on_boundary;
+}
+
+std::vector<double> Body::lumped_area(const std::set<types::boundary_id>& ids,
+                                      const NodeVector& positions) const {
+  std::vector<double> area(n_local_nodes_, 0.);
+  for (const BoundaryFace& face : boundary_faces_) {
+    if (ids.count(face.id) == 0)
+      continue;
+    const auto corner = [&](unsigned v) { return node_value(positions, face.nodes[v]); };
+    const double total =
+        0.5 * cross_product_3d(corner(1) - corner(0), corner(2) - corner(0)).norm();
+    for (unsigned v = 0; v < face.nodes.size(); ++v)
+      area[face.nodes[v]] += total * (face.nodes.size() == 3 ? 1. / 3.
+                                      : v < 3                ? area_at_corner
+                                                             : area_at_edge);
+  }
+  return sum_over_ranks(area);
 }
 
 std::vector<std::array<Point<3>, 4>> Body::gather_at_cells(const NodeVector& vector) const {
@@ -131,7 +200,7 @@ std::vector<std::array<Point<3>, 4>> Body::gather_at_cells(const NodeVector& vec
   const std::vector<CellValues> parts = Utilities::MPI::gather(communicator_, mine);
   if (Utilities::MPI::this_mpi_process(communicator_) != 0)
     return values;
-  values.resize(n_global_cells_);
+  values.resize(n_global_cells());
   for (const auto& [ids, numbers] : parts)
     for (std::size_t i = 0; i < ids.size(); ++i)
       for (unsigned v = 0; v < 4; ++v)

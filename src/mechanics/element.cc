@@ -1,0 +1,58 @@
+#include "prosup/mechanics/element.h"
+
+#include <algorithm>
+
+namespace prosup::mechanics {
+
+using namespace dealii;
+
+namespace {
+
+Patterns::Selection one_of(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names)
+    list += (list.empty() ? "" : "|") + name;
+  return Patterns::Selection(list);
+}
+
+template <typename Enumerator>
+Enumerator named(const std::string& name, const std::vector<std::string>& names) {
+  return static_cast<Enumerator>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+} // namespace
+
+const std::vector<std::string>& element_names() {
+  static const std::vector<std::string> names{"linear", "nodal-pressure", "quadratic"};
+  return names;
+}
+
+const std::vector<std::string>& precision_names() {
+  static const std::vector<std::string> names{"double", "float"};
+  return names;
+}
+
+ElementParameters::ElementParameters()
+    : ParameterAcceptor("Elements"), type_(element_names().front()),
+      precision_(precision_names().front()) {}
+
+void ElementParameters::declare_parameters(ParameterHandler& prm) {
+  prm.add_parameter(
+      "Type", type_,
+      "Finite element. linear: 4-node tetrahedra, fastest, lock for Poisson ratios above 0.47 or "
+      "so. nodal-pressure: the same with volume changes averaged at the nodes (Joldes et al. "
+      "2009), for nearly incompressible tissue. quadratic: 10-node tetrahedra, most accurate for "
+      "a mesh; allows for about twice the edge length. Units: none.",
+      one_of(element_names()));
+  prm.add_parameter("Precision", precision_,
+                    "Floating-point numbers in which internal forces are computed; positions "
+                    "are double always. Units: none.",
+                    one_of(precision_names()));
+}
+
+Element ElementParameters::element() const {
+  return {named<ElementType>(type_, element_names()),
+          named<Precision>(precision_, precision_names())};
+}
+
+} // namespace prosup::mechanics
