@@ -64,10 +64,7 @@ void CentralDifferences::set_fixed_nodes(const std::vector<bool>& fixed) {
 
 double CentralDifferences::step(const NodeVector& external_force, NodeVector& displacement) {
   std::copy_n(external_force.begin(), 3 * body_.n_owned_nodes(), force_.begin());
-  std::fill(force_.begin() + 3 * body_.n_owned_nodes(),
-            force_.begin() + 3 * static_cast<std::size_t>(body_.n_local_nodes()), 0.);
   min_jacobian_ = internal_force_.subtract(displacement, force_);
-  force_.compress(VectorOperation::add);
 
   const double h = mass_.time_step;
   const double decay = 1. / (1. + h * damping_rate_);
@@ -82,7 +79,6 @@ double CentralDifferences::step(const NodeVector& external_force, NodeVector& di
       *u += h * *v;
     }
   }
-  displacement.update_ghost_values();
   return min_jacobian_;
 }
 

@@ -4,41 +4,106 @@
 #include <cstddef>
 #include <cstdint>
 
-// The hot loop. This header and its source see neither deal.II nor the
-// standard library's templates: the source is compiled with -ffast-math, which
-// must not leak into inline functions shared with other files.
+// The hot loops. This header and what it declares see neither deal.II nor the
+// standard library's templates: the kernels are compiled with -ffast-math and
+// once for each instruction set, and neither may leak into inline functions
+// shared with other files.
 
 namespace prosup::mechanics::kernel {
 
 constexpr int n_lanes = 8;
 
-/// Eight tetrahedra side by side (structure of arrays). With the edge vectors
-/// of the reference configuration as columns of D = [X1-X0, X2-X0, X3-X0], the
-/// displacement gradient is H = [u1-u0, u2-u0, u3-u0] D^-1.
-struct alignas(64) Batch {
-  double inverse_edges[3][3][n_lanes]; ///< D^-1, 1/mm; row b is the gradient of N_(b+1)
-  double volume[n_lanes];              ///< of the reference configuration, mm^3; 0 for padding
-  double mu[n_lanes];                  ///< Pa
-  double lambda[n_lanes];              ///< Pa
-  std::uint32_t node[4][n_lanes];
+/// Nodal vectors have four doubles a node, aligned to 32 bytes: three
+/// components and one of padding (or the nodal pressure, see below), so that
+/// lanes are gathered by whole loads and a transposition.
+constexpr int node_stride = 4;
+
+/// What the internal force has to know of the reference configuration at one
+/// quadrature point of eight elements. With D = dX/dxi, E = dx/dxi (columns are
+/// the derivatives by the reference coordinates), w the quadrature weight and
+/// J = det E / det D, the neo-Hookean P = mu F + (lambda ln J - mu) F^-T gives
+///   w det D P D^-T = mu E [w det D D^-1 D^-T] + w (lambda ln J - mu)/J cof E,
+/// so that six numbers of the symmetric `metric` and one of `inverse_det`
+/// replace D^-1, the volume and F. A force f_a is this times dN_a/dxi.
+template <typename Real>
+struct alignas(64) ReferencePoint {
+  Real metric[6][n_lanes];   ///< w det D D^-1 D^-T: 11, 12, 13, 22, 23, 33; mm
+  Real inverse_det[n_lanes]; ///< 1/det D, 1/mm^3
 };
 
-/// Computes D^-1 and the volume of all batches from reference positions
-/// (three per node). Padding lanes keep volume 0. Returns the smallest volume
-/// of a real cell, mm^3.
-double set_reference(Batch* batches, std::size_t n_batches, std::size_t n_cells,
-                     const double* reference);
+/// Eight elements side by side. Lanes without an element hold a unit element on
+/// nodes of its own behind those of the body.
+template <typename Real, int n_points, int n_nodes>
+struct alignas(64) Batch {
+  ReferencePoint<Real> point[n_points];
+  std::uint32_t node[n_nodes][n_lanes];
+};
+template <typename Real>
+using LinearBatch = Batch<Real, 1, 4>;
+template <typename Real>
+using QuadraticBatch = Batch<Real, 4, 10>;
 
-/// Subtracts the internal nodal forces f_a = V P grad N_a of the neo-Hookean
-/// material, P = mu F + (lambda ln J - mu) F^-T, from `force`; returns the
-/// smallest J. Where J <= 0 the force is computed at a tiny positive J: the
-/// caller has to look at the value returned.
-double subtract_neo_hookean(const Batch* batches, std::size_t n_batches, const double* displacement,
-                            double* force);
+/// Lame parameters of eight elements, Pa. A body of one material has a single
+/// one of these and a stride of 0.
+template <typename Real>
+struct alignas(64) BatchMaterial {
+  Real mu[n_lanes];
+  Real lambda[n_lanes];
+};
 
-/// The first cell whose J is not above `bound`; n_cells if there is none.
-std::size_t find_cell_below(const Batch* batches, std::size_t n_cells, const double* displacement,
-                            double bound);
+template <typename Real>
+struct Materials {
+  const BatchMaterial<Real>* data;
+  std::size_t stride; ///< 0 or 1
+};
+
+/// The kernels of one instruction set. Ranges are batches [begin, end).
+template <typename Real>
+struct Kernels {
+  const char* instruction_set;
+
+  /// Fills the reference points from reference positions. Returns the
+  /// smallest det D.
+  double (*set_linear_reference)(LinearBatch<Real>* batches, std::size_t begin, std::size_t end,
+                                 const double* reference);
+  double (*set_quadratic_reference)(QuadraticBatch<Real>* batches, std::size_t begin,
+                                    std::size_t end, const double* reference);
+
+  /// Adds internal forces to `force`; returns the smallest J. Where J <= 0 the
+  /// force is computed at a tiny positive J: the caller has to look at what is
+  /// returned.
+  double (*add_linear)(const LinearBatch<Real>* batches, std::size_t begin, std::size_t end,
+                       Materials<Real> materials, const double* positions, double* force);
+  double (*add_quadratic)(const QuadraticBatch<Real>* batches, std::size_t begin, std::size_t end,
+                          Materials<Real> materials, const double* positions, double* force);
+
+  /// Averaged nodal pressure, first pass: adds a quarter of each element's
+  /// volume det E/6 to its nodes (one double a node).
+  void (*add_nodal_volumes)(const LinearBatch<Real>* batches, std::size_t begin, std::size_t end,
+                            const double* positions, double* volumes);
+  /// Second pass: as add_linear, with the mean of the nodal pressures, which
+  /// stand in the fourth place of `positions`, instead of lambda ln J / J.
+  double (*add_nodal_pressure)(const LinearBatch<Real>* batches, std::size_t begin, std::size_t end,
+                               Materials<Real> materials, const double* positions, double* force);
+};
+
+/// All kernels that this processor can run, the plainest first; `n` of them.
+template <typename Real>
+const Kernels<Real>* const* all_kernels(int& n);
+
+// One translation unit each.
+namespace baseline {
+extern const Kernels<double> double_kernels;
+extern const Kernels<float> float_kernels;
+} // namespace baseline
+namespace avx2 {
+extern const Kernels<double> double_kernels;
+extern const Kernels<float> float_kernels;
+} // namespace avx2
+namespace avx512 {
+extern const Kernels<double> double_kernels;
+extern const Kernels<float> float_kernels;
+} // namespace avx512
 
 } // namespace prosup::mechanics::kernel
 

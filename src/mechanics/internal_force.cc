@@ -1,153 +1,214 @@
 #include "prosup/mechanics/internal_force.h"
 
 #include <deal.II/base/aligned_vector.h>
-#include <deal.II/base/symmetric_tensor.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "element_batches.h"
 #include "element_kernel.h"
+#include "element_stiffness.h"
 #include "prosup/core/log.h"
 
 namespace prosup::mechanics {
 
 using namespace dealii;
-using kernel::n_lanes;
-
-struct InternalForce::Batches {
-  AlignedVector<kernel::Batch> data;
-  std::size_t n_cells = 0;
-
-  template <typename Visit>
-  void for_each_cell(Visit visit) {
-    for (std::size_t i = 0; i < data.size() * n_lanes; ++i)
-      visit(data[i / n_lanes], i % n_lanes, std::min(i, n_cells - 1));
-  }
-};
+using kernel::node_stride;
 
 namespace {
 
-/// Gradients of the three barycentric coordinates N_1..N_3; N_0 is the rest.
-Tensor<2, 3> inverse_edges(const kernel::Batch& batch, std::size_t lane) {
-  Tensor<2, 3> D;
-  for (unsigned b = 0; b < 3; ++b)
-    for (unsigned j = 0; j < 3; ++j)
-      D[b][j] = batch.inverse_edges[b][j][lane];
-  return D;
-}
-
-Tensor<2, 3> deformation_gradient(const kernel::Batch& batch, std::size_t lane,
-                                  const NodeVector& displacement) {
-  Tensor<2, 3> edges;
-  for (unsigned b = 0; b < 3; ++b)
+void pack(const NodeVector& vector, unsigned first, unsigned last, double* packed) {
+  const double* v = vector.begin() + 3 * std::size_t(first);
+  for (double* p = packed + node_stride * std::size_t(first);
+       p < packed + node_stride * std::size_t(last); p += node_stride, v += 3)
     for (unsigned c = 0; c < 3; ++c)
-      edges[c][b] = displacement.local_element(3 * batch.node[b + 1][lane] + c) -
-                    displacement.local_element(3 * batch.node[0][lane] + c);
-  return unit_symmetric_tensor<3>() + edges * inverse_edges(batch, lane);
+      p[c] = v[c];
 }
 
-/// Largest eigenvalue of sum_a grad N_a grad N_a^T, 1/mm^2.
-double squared_gradient_norm(const Tensor<2, 3>& gradients) {
-  const Tensor<1, 3> of_first = -gradients[0] - gradients[1] - gradients[2];
-  Tensor<2, 3> gram = outer_product(of_first, of_first);
-  for (unsigned b = 0; b < 3; ++b)
-    gram += outer_product(gradients[b], gradients[b]);
-  return eigenvalues(symmetrize(gram))[0];
-}
-
-/// Bound on the largest eigenvalue of a cell's tangent stiffness over its
-/// volume. The tangent of P = mu F + (lambda ln J - mu) F^-T couples nodes by
-///   k_ab = V [mu G_a.G_b I + lambda g_a g_b^T + (mu - lambda ln J) g_b g_a^T]
-/// with G = grad_X N and g = F^-T G.
-double tangent_bound(const Tensor<2, 3>& gradients, const Tensor<2, 3>& F, double mu,
-                     double lambda) {
-  const double J = std::max(determinant(F), 1e-3);
-  const double spatial = mu - lambda * std::log(J);
-  return mu * squared_gradient_norm(gradients) +
-         (lambda + std::abs(spatial)) * squared_gradient_norm(gradients * invert(F));
+void pack_sum(const NodeVector& a, const double* b, unsigned first, unsigned last, double* packed) {
+  const double* v = a.begin() + 3 * std::size_t(first);
+  for (std::size_t i = node_stride * std::size_t(first); i < node_stride * std::size_t(last);
+       i += node_stride, v += 3)
+    for (unsigned c = 0; c < 3; ++c)
+      packed[i + c] = v[c] + b[i + c];
 }
 
 } // namespace
 
+struct InternalForce::Implementation {
+  const Body& body;
+  const bool is_averaged;
+  const std::unique_ptr<ElementBatches> elements;
+  std::vector<LameParameters> material;
+  NodeVector reference_positions;
+  // In the kernels' layout.
+  AlignedVector<double> reference, positions, force;
+  NodeVector exchanged;
+  // Averaged nodal pressure: V_a and V_a lambda_a, and the present volumes.
+  std::vector<double> nodal_volume, nodal_lambda, present_volume;
+
+  explicit Implementation(const Body& body)
+      : body(body), is_averaged(body.element().type == ElementType::nodal_pressure),
+        elements(ElementBatches::create(body)) {
+    const std::size_t n = std::size_t(body.n_local_nodes()) + n_padding_nodes;
+    for (AlignedVector<double>* field : {&reference, &positions, &force}) {
+      field->resize(node_stride * n, 0.);
+      if (field != &force)
+        place_padding_nodes(field->data() + node_stride * std::size_t(body.n_local_nodes()));
+    }
+    body.initialize(exchanged);
+    body.initialize(reference_positions);
+    if (is_averaged)
+      present_volume.resize(n);
+  }
+
+  std::vector<double> volumes_at(const double* at) {
+    std::fill(present_volume.begin(), present_volume.end(), 0.);
+    for (const auto part : {ElementBatches::interface, ElementBatches::first_interior,
+                            ElementBatches::second_interior})
+      elements->add_nodal_volumes(part, at, present_volume.data());
+    return body.sum_over_ranks(present_volume);
+  }
+
+  /// Writes the nodal pressures lambda_a ln J_a / J_a behind the positions.
+  void average_pressure() {
+    const std::vector<double> volume = volumes_at(positions.data());
+    for (unsigned node = 0; node < body.n_local_nodes(); ++node) {
+      const double J = std::max(volume[node] / nodal_volume[node], 1e-3);
+      positions[node_stride * std::size_t(node) + 3] = nodal_lambda[node] * std::log(J) / J;
+    }
+  }
+
+  void average_material() {
+    if (!is_averaged || material.empty() || nodal_volume.empty())
+      return;
+    nodal_lambda.assign(body.n_local_nodes(), 0.);
+    const ElementShape& shape = element_shape(body.element().type);
+    for (unsigned e = 0; e < body.n_elements(); ++e) {
+      const unsigned* nodes = body.element_nodes(e);
+      const double quarter = determinant(shape.derivative(0, nodes, reference_positions)) / 24.;
+      for (unsigned a = 0; a < 4; ++a)
+        nodal_lambda[nodes[a]] += quarter * material_of(e).lambda;
+    }
+    nodal_lambda = body.sum_over_ranks(nodal_lambda);
+    for (unsigned node = 0; node < body.n_local_nodes(); ++node)
+      nodal_lambda[node] /= nodal_volume[node];
+  }
+
+  const LameParameters& material_of(unsigned element) const {
+    return material[material.size() == 1 ? 0 : element];
+  }
+
+  double add_forces(ElementBatches::Part part) {
+    return elements->add_forces(part, positions.data(), force.data());
+  }
+
+  /// Forces on ghosts go to their owners, to arrive in `exchanged`.
+  void send_ghost_forces() {
+    exchanged = 0.;
+    for (unsigned node = body.n_owned_nodes(); node < body.n_local_nodes(); ++node)
+      for (unsigned c = 0; c < 3; ++c)
+        exchanged.local_element(3 * node + c) = force[node_stride * std::size_t(node) + c];
+    exchanged.compress_start(0, VectorOperation::add);
+  }
+};
+
 InternalForce::InternalForce(const Body& body)
-    : body_(body), batches_(std::make_unique<Batches>()) {
-  batches_->n_cells = body.cells().size();
-  batches_->data.resize((batches_->n_cells + n_lanes - 1) / n_lanes);
-  // Padding lanes repeat the last cell; their volume stays 0.
-  batches_->for_each_cell([&](kernel::Batch& batch, std::size_t lane, std::size_t cell) {
-    for (unsigned a = 0; a < 4; ++a)
-      batch.node[a][lane] = body.cells()[cell][a];
-  });
-}
+    : implementation_(std::make_unique<Implementation>(body)) {}
 
 InternalForce::~InternalForce() = default;
 
 void InternalForce::set_material(const std::vector<LameParameters>& parameters) {
-  batches_->for_each_cell([&](kernel::Batch& batch, std::size_t lane, std::size_t cell) {
-    const LameParameters& material = parameters[parameters.size() == 1 ? 0 : cell];
-    batch.mu[lane] = material.mu;
-    batch.lambda[lane] = material.lambda;
-  });
+  implementation_->material = parameters;
+  implementation_->elements->set_material(parameters);
+  implementation_->average_material();
 }
 
 double InternalForce::set_reference(const NodeVector& reference) {
-  return kernel::set_reference(batches_->data.data(), batches_->data.size(), batches_->n_cells,
-                               reference.begin());
+  Implementation& self = *implementation_;
+  std::copy_n(reference.begin(), 3 * std::size_t(self.body.n_local_nodes()),
+              self.reference_positions.begin());
+  pack(self.reference_positions, 0, self.body.n_local_nodes(), self.reference.data());
+  const double smallest = self.elements->set_reference(self.reference.data()) / 6.;
+  if (self.is_averaged) {
+    self.nodal_volume = self.volumes_at(self.reference.data());
+    self.average_material();
+  }
+  return smallest;
 }
 
 double InternalForce::subtract(const NodeVector& displacement, NodeVector& force) const {
-  return kernel::subtract_neo_hookean(batches_->data.data(), batches_->data.size(),
-                                      displacement.begin(), force.begin());
+  Implementation& self = *implementation_;
+  const unsigned n_owned = self.body.n_owned_nodes(), n_local = self.body.n_local_nodes();
+  displacement.update_ghost_values_start();
+  self.force.fill(0.);
+  pack_sum(displacement, self.reference.data(), 0, n_owned, self.positions.data());
+  double smallest = std::numeric_limits<double>::max();
+  const auto add = [&](ElementBatches::Part part) {
+    smallest = std::min(smallest, self.add_forces(part));
+  };
+  if (!self.is_averaged)
+    add(ElementBatches::first_interior);
+  displacement.update_ghost_values_finish();
+  pack_sum(displacement, self.reference.data(), n_owned, n_local, self.positions.data());
+  if (self.is_averaged) {
+    self.average_pressure();
+    add(ElementBatches::first_interior);
+  }
+  add(ElementBatches::interface);
+  self.send_ghost_forces();
+  add(ElementBatches::second_interior);
+  self.exchanged.compress_finish(VectorOperation::add);
+
+  const double* f = self.force.data();
+  const double* from_others = self.exchanged.begin();
+  double* result = force.begin();
+  for (unsigned node = 0; node < n_owned; ++node, f += node_stride)
+    for (unsigned c = 0; c < 3; ++c)
+      *result++ -= f[c] + *from_others++;
+  return smallest;
 }
 
-std::vector<double> InternalForce::sum_to_nodes(const std::vector<double>& per_cell) const {
-  NodeVector sum;
-  body_.initialize(sum);
-  for (std::size_t cell = 0; cell < per_cell.size(); ++cell)
-    for (const unsigned node : body_.cells()[cell])
-      sum.local_element(3 * node) += per_cell[cell];
-  sum.compress(VectorOperation::add);
-  sum.update_ghost_values();
-  std::vector<double> at_nodes(body_.n_local_nodes());
-  for (unsigned node = 0; node < at_nodes.size(); ++node)
-    at_nodes[node] = sum.local_element(3 * node);
-  return at_nodes;
+std::vector<double> InternalForce::nodal_volume() const {
+  return element_nodal_volume(implementation_->body, implementation_->reference_positions);
 }
 
 std::vector<double> InternalForce::lumped_volume() const {
-  std::vector<double> quarter(batches_->n_cells);
-  for (std::size_t cell = 0; cell < quarter.size(); ++cell)
-    quarter[cell] = 0.25 * batches_->data[cell / n_lanes].volume[cell % n_lanes];
-  return sum_to_nodes(quarter);
+  return element_lumped_volume(implementation_->body, implementation_->reference_positions);
 }
 
 std::vector<double> InternalForce::stiffness_bound(const NodeVector& displacement) const {
-  std::vector<double> bound(batches_->n_cells);
-  for (std::size_t cell = 0; cell < bound.size(); ++cell) {
-    const kernel::Batch& batch = batches_->data[cell / n_lanes];
-    const std::size_t lane = cell % n_lanes;
-    bound[cell] =
-        std::abs(batch.volume[lane]) *
-        tangent_bound(inverse_edges(batch, lane), deformation_gradient(batch, lane, displacement),
-                      batch.mu[lane], batch.lambda[lane]);
-  }
-  return sum_to_nodes(bound);
+  displacement.update_ghost_values();
+  return element_stiffness_bound(implementation_->body, implementation_->reference_positions,
+                                 displacement, implementation_->material);
 }
 
 std::string InternalForce::describe_worst_cell(const NodeVector& positions,
                                                const NodeVector& displacement, double bound) const {
-  const std::size_t cell = kernel::find_cell_below(batches_->data.data(), batches_->n_cells,
-                                                   displacement.begin(), bound);
-  if (cell == batches_->n_cells)
-    return {};
-  Tensor<1, 3> centre;
-  for (const unsigned node : body_.cells()[cell])
-    centre += 0.25 * node_value(positions, node);
-  const double J = determinant(
-      deformation_gradient(batches_->data[cell / n_lanes], cell % n_lanes, displacement));
-  const std::string place = format("cell %u near (%.1f, %.1f, %.1f) mm", body_.cell_ids()[cell],
-                                   centre[0], centre[1], centre[2]);
-  return std::abs(J) < 10. ? place + format(" with J = %.3g", J) : place;
+  const Body& body = implementation_->body;
+  const ElementShape& shape = element_shape(body.element().type);
+  for (unsigned e = 0; e < body.n_elements(); ++e)
+    for (unsigned q = 0; q < shape.n_points; ++q) {
+      const unsigned* nodes = body.element_nodes(e);
+      const double J =
+          point_jacobian(shape, q, nodes, implementation_->reference_positions, displacement);
+      if (J > bound)
+        continue;
+      Tensor<1, 3> centre;
+      for (unsigned a = 0; a < 4; ++a)
+        centre += 0.25 * node_value(positions, nodes[a]);
+      const unsigned cell = body.cell_ids()[e * body.n_cells_per_element()];
+      const std::string place =
+          format("cell %u near (%.1f, %.1f, %.1f) mm", cell / body.n_cells_per_element(), centre[0],
+                 centre[1], centre[2]);
+      return std::abs(J) < 10. ? place + format(" with J = %.3g", J) : place;
+    }
+  return {};
+}
+
+std::string InternalForce::kernel_description() const {
+  return implementation_->elements->description();
 }
 
 } // namespace prosup::mechanics

@@ -122,6 +122,7 @@ void Unloading::correct_unloaded_positions() {
       lag_ > 0. ? std::min(1., parameters_.correction_interval * integrator_.time_step() / lag_)
                 : 1.;
   const NodeVector& loaded = body_.vertex_positions();
+  state_.displacement.update_ghost_values();
   for (unsigned i = 0; i < 3 * body_.n_local_nodes(); ++i) {
     double& X = state_.unloaded.local_element(i);
     X += beta * (loaded.local_element(i) - state_.displacement.local_element(i) - X);
@@ -132,11 +133,11 @@ void Unloading::correct_unloaded_positions() {
 void Unloading::update_reference() {
   reference_volume_ =
       Utilities::MPI::min(internal_force_.set_reference(state_.unloaded), body_.communicator());
-  lumped_volume_ = internal_force_.lumped_volume();
+  nodal_volume_ = internal_force_.nodal_volume();
   double weight = 0.;
   for (unsigned node = 0; node < body_.n_owned_nodes(); ++node)
     if (!fixed_[node])
-      weight += (parameters_.density * lumped_volume_[node] * gravity_).norm_square();
+      weight += (parameters_.density * nodal_volume_[node] * gravity_).norm_square();
   weight_norm_ = std::sqrt(Utilities::MPI::sum(weight, body_.communicator()));
   if (!(weight_norm_ > 0.)) // no gravity: residuals are then relative to any force
     weight_norm_ = 1.;
@@ -153,7 +154,7 @@ void Unloading::update_mass() {
     const double height = node_value(body_.vertex_positions(), node) * gravity_;
     lower = std::min(lower, height);
     upper = std::max(upper, height);
-    mass += parameters_.density * lumped_volume_[node];
+    mass += parameters_.density * nodal_volume_[node];
   }
   const MPI_Comm communicator = body_.communicator();
   kinetic_energy_limit_ =
@@ -171,7 +172,7 @@ void Unloading::update_external_force() {
     for (unsigned c = 0; c < 3; ++c) {
       const unsigned i = 3 * node + c;
       external_force_.local_element(i) =
-          gravity_part * parameters_.density * lumped_volume_[node] * gravity_[c] +
+          gravity_part * parameters_.density * nodal_volume_[node] * gravity_[c] +
           state_.force.local_element(i) + increment_part * state_.force_increment.local_element(i);
     }
 }

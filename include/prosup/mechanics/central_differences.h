@@ -46,8 +46,9 @@ public:
 
   double time_step() const { return mass_.time_step; }
 
-  /// One step of `displacement` (ghosts in and out) under `external_force`
-  /// (owned nodes, g mm/s^2). Returns this rank's smallest J before the step.
+  /// One step of `displacement` (owned nodes; ghosts are those of the state
+  /// before) under `external_force` (owned nodes, g mm/s^2). Returns this rank's
+  /// smallest J before the step.
   double step(const NodeVector& external_force, NodeVector& displacement);
 
   /// Energy and residual of the last step; collective.

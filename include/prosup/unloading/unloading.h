@@ -98,7 +98,7 @@ private:
   State state_;
   State last_good_;
   NodeVector external_force_;
-  std::vector<double> lumped_volume_;
+  std::vector<double> nodal_volume_;
   bool holds_reference_ = false;
   bool fully_loaded_ = false; // all ramps were over in the last steps
   double weight_norm_ = 0.;

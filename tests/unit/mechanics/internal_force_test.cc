@@ -43,7 +43,6 @@ struct Fixture {
     NodeVector result;
     body.initialize(result);
     kernel.subtract(displacement, result);
-    result.compress(VectorOperation::add);
     return result;
   }
 
