@@ -101,4 +101,11 @@ void write_parameters(const ParameterHandler& parameters, const std::filesystem:
                 "'; choose a folder that exists and can be written.");
 }
 
+dealii::Patterns::Selection one_of(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names)
+    list += (list.empty() ? "" : "|") + name;
+  return dealii::Patterns::Selection(list);
+}
+
 } // namespace prosup

@@ -25,22 +25,21 @@ double global_quantile(std::vector<double> values, double fraction, MPI_Comm com
 } // namespace
 
 StableMass stable_mass(const Body& body, const InternalForce& internal_force,
-                       const NodeVector& displacement, double density, double safety,
-                       double scaled_fraction) {
+                       HighestFrequency& highest_frequency, const NodeVector& displacement,
+                       const std::vector<bool>& fixed, double density, double scaled_fraction) {
   StableMass result;
   result.mass = internal_force.lumped_volume();
-  const std::vector<double> stiffness = internal_force.stiffness_bound(displacement);
   for (double& mass : result.mass)
     mass *= density;
+  const std::vector<double> stiffness = internal_force.stiffness_bound(displacement);
   std::vector<double> critical(body.n_owned_nodes());
   for (unsigned node = 0; node < critical.size(); ++node)
     critical[node] = 2. * std::sqrt(result.mass[node] / stiffness[node]);
-  result.time_step = safety * global_quantile(critical, scaled_fraction, body.communicator());
+  const double wanted = global_quantile(critical, scaled_fraction, body.communicator());
 
   unsigned n_scaled = 0;
   for (unsigned node = 0; node < result.mass.size(); ++node) {
-    const double half_step = 0.5 * result.time_step / safety;
-    const double needed = stiffness[node] * half_step * half_step;
+    const double needed = stiffness[node] * 0.25 * wanted * wanted;
     if (result.mass[node] < needed) {
       result.mass[node] = needed;
       n_scaled += node < body.n_owned_nodes();
@@ -48,6 +47,8 @@ StableMass stable_mass(const Body& body, const InternalForce& internal_force,
   }
   result.scaled_fraction = static_cast<double>(Utilities::MPI::sum(n_scaled, body.communicator())) /
                            body.n_global_nodes();
+  result.critical_step =
+      highest_frequency.estimate(displacement, result.mass, fixed).critical_step();
   return result;
 }
 
@@ -62,17 +63,22 @@ void CentralDifferences::set_fixed_nodes(const std::vector<bool>& fixed) {
     mobility_[node] = fixed[node] ? 0. : 1.;
 }
 
+void CentralDifferences::set_mass(const StableMass& mass, double safety) {
+  mass_ = mass.mass;
+  time_step_ = safety * mass.critical_step;
+}
+
 double CentralDifferences::step(const NodeVector& external_force, NodeVector& displacement) {
   std::copy_n(external_force.begin(), 3 * body_.n_owned_nodes(), force_.begin());
   min_jacobian_ = internal_force_.subtract(displacement, force_);
 
-  const double h = mass_.time_step;
+  const double h = time_step_;
   const double decay = 1. / (1. + h * damping_rate_);
   double* v = velocity_.begin();
   double* u = displacement.begin();
   double* f = force_.begin();
   for (unsigned node = 0; node < body_.n_owned_nodes(); ++node) {
-    const double gain = decay * h * mobility_[node] / mass_.mass[node];
+    const double gain = decay * h * mobility_[node] / mass_[node];
     for (unsigned c = 0; c < 3; ++c, ++v, ++u, ++f) {
       *f *= mobility_[node];
       *v = decay * mobility_[node] * *v + gain * *f;
@@ -85,7 +91,7 @@ double CentralDifferences::step(const NodeVector& external_force, NodeVector& di
 StepReport CentralDifferences::report() const {
   double sums[2] = {0., 0.};
   for (unsigned node = 0; node < body_.n_owned_nodes(); ++node) {
-    sums[0] += 0.5 * mass_.mass[node] * node_value(velocity_, node).norm_square();
+    sums[0] += 0.5 * mass_[node] * node_value(velocity_, node).norm_square();
     sums[1] += node_value(force_, node).norm_square();
   }
   Utilities::MPI::sum(ArrayView<const double>(sums, 2), body_.communicator(),

@@ -1,26 +1,10 @@
 #include "prosup/mechanics/element.h"
 
-#include <algorithm>
+#include "prosup/core/parameters.h"
 
 namespace prosup::mechanics {
 
 using namespace dealii;
-
-namespace {
-
-Patterns::Selection one_of(const std::vector<std::string>& names) {
-  std::string list;
-  for (const std::string& name : names)
-    list += (list.empty() ? "" : "|") + name;
-  return Patterns::Selection(list);
-}
-
-template <typename Enumerator>
-Enumerator named(const std::string& name, const std::vector<std::string>& names) {
-  return static_cast<Enumerator>(std::find(names.begin(), names.end(), name) - names.begin());
-}
-
-} // namespace
 
 const std::vector<std::string>& element_names() {
   static const std::vector<std::string> names{"linear", "nodal-pressure", "quadratic"};
@@ -51,8 +35,8 @@ void ElementParameters::declare_parameters(ParameterHandler& prm) {
 }
 
 Element ElementParameters::element() const {
-  return {named<ElementType>(type_, element_names()),
-          named<Precision>(precision_, precision_names())};
+  return {enumerator<ElementType>(type_, element_names()),
+          enumerator<Precision>(precision_, precision_names())};
 }
 
 } // namespace prosup::mechanics

@@ -4,6 +4,7 @@
 
 #include "prosup/core/error.h"
 #include "prosup/core/log.h"
+#include "prosup/core/parameters.h"
 
 namespace prosup::mechanics {
 
@@ -46,10 +47,9 @@ TissueMaterial::TissueMaterial()
     : ParameterAcceptor("Material"), model_(material_names().front()) {}
 
 void TissueMaterial::declare_parameters(ParameterHandler& prm) {
-  prm.add_parameter(
-      "Model", model_, "Hyperelastic law of all tissues. Allowed: neo-Hookean (paper eq. 2).",
-      Patterns::Selection(
-          Patterns::Tools::Convert<std::vector<std::string>>::to_string(material_names())));
+  prm.add_parameter("Model", model_,
+                    "Hyperelastic law of all tissues. Allowed: neo-Hookean (paper eq. 2).",
+                    one_of(material_names()));
   prm.add_parameter("Shear modulus", shear_modulus_,
                     "mu, the shear modulus to start with, common to all tissues and changed by the "
                     "material update. Units: Pa. The default is the paper's generic material "

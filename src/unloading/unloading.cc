@@ -39,8 +39,10 @@ Unloading::Unloading(const UnloadingParameters& parameters, const mechanics::Bod
     : parameters_(parameters), body_(body), gravity_(gravity_vector(parameters, gravity_direction)),
       name_(std::move(name)), log_(log),
       fixed_(body.nodes_on_boundary(boundary_ids(parameters.fixed_boundaries))),
-      internal_force_(body), integrator_(body, internal_force_), lag_(parameters.lag),
-      safety_(parameters.step_safety) {
+      internal_force_(body), highest_frequency_(body, internal_force_),
+      integrator_(body, internal_force_),
+      damping_(parameters.damping_scheme(), parameters.damping_rate, body),
+      lag_factor_(parameters.lag_factor), safety_(parameters.step_safety) {
   if (Utilities::MPI::max(static_cast<int>(std::count(fixed_.begin(), fixed_.end(), true)),
                           body.communicator()) == 0)
     throw Error("No node of " + name_ +
@@ -82,14 +84,16 @@ UnloadingResult Unloading::simulate(unsigned max_steps, bool until_settled) {
   last_good_ = save();
   unsigned n_corrections = 0;
   while (result.n_steps < max_steps) {
+    const unsigned n = std::min(parameters_.correction_interval, max_steps - result.n_steps);
+    const double duration = n * integrator_.time_step();
+    state_.time += duration;
+    state_.loading += duration * damping_.time_scale();
     update_external_force();
     min_jacobian_ = std::numeric_limits<double>::max();
-    const unsigned n = std::min(parameters_.correction_interval, max_steps - result.n_steps);
     for (unsigned i = 0; i < n; ++i)
       min_jacobian_ =
           std::min(min_jacobian_, integrator_.step(external_force_, state_.displacement));
     result.n_steps += n;
-    state_.time += n * integrator_.time_step();
 
     mechanics::StepReport report = integrator_.report();
     report.min_jacobian = Utilities::MPI::min(min_jacobian_, body_.communicator());
@@ -97,6 +101,7 @@ UnloadingResult Unloading::simulate(unsigned max_steps, bool until_settled) {
       retreat(report, result);
       continue;
     }
+    damping_.update(integrator_, state_.displacement, external_force_, report.kinetic_energy);
     result.min_jacobian = report.min_jacobian;
     result.residual = report.residual_norm / weight_norm_;
     result.distance = holds_reference_ ? 0. : max_distance();
@@ -118,9 +123,9 @@ UnloadingResult Unloading::simulate(unsigned max_steps, bool until_settled) {
 }
 
 void Unloading::correct_unloaded_positions() {
+  const double lag = lag_factor_ / damping_.time_scale();
   const double beta =
-      lag_ > 0. ? std::min(1., parameters_.correction_interval * integrator_.time_step() / lag_)
-                : 1.;
+      lag > 0. ? std::min(1., parameters_.correction_interval * integrator_.time_step() / lag) : 1.;
   const NodeVector& loaded = body_.vertex_positions();
   state_.displacement.update_ghost_values();
   for (unsigned i = 0; i < 3 * body_.n_local_nodes(); ++i) {
@@ -144,9 +149,10 @@ void Unloading::update_reference() {
 }
 
 void Unloading::update_mass() {
-  integrator_.set_mass(mechanics::stable_mass(body_, internal_force_, state_.displacement,
-                                              parameters_.density, safety_,
-                                              parameters_.scaled_fraction));
+  integrator_.set_mass(mechanics::stable_mass(body_, internal_force_, highest_frequency_,
+                                              state_.displacement, fixed_, parameters_.density,
+                                              parameters_.scaled_fraction),
+                       safety_);
   // All of the body faster than it would be after falling freely through its
   // own size is no settling motion.
   double lower = std::numeric_limits<double>::max(), upper = -lower, mass = 0.;
@@ -164,7 +170,7 @@ void Unloading::update_mass() {
 
 void Unloading::update_external_force() {
   const double gravity_part =
-      parameters_.gravity_ramp > 0. ? std::min(1., state_.time / parameters_.gravity_ramp) : 1.;
+      parameters_.gravity_ramp > 0. ? std::min(1., state_.loading / parameters_.gravity_ramp) : 1.;
   const double since = state_.time - state_.ramp_start;
   const double increment_part = state_.ramp_time > 0. ? std::min(1., since / state_.ramp_time) : 1.;
   fully_loaded_ = gravity_part == 1. && increment_part == 1.;
@@ -205,11 +211,12 @@ void Unloading::retreat(const mechanics::StepReport& report, UnloadingResult& re
         " retries with longer lags and smaller steps did not help; the body may be too soft for "
         "its weight, so raise 'Material/Shear modulus' or check the mask and mesh there.");
   ++result.n_retries;
-  lag_ = 2. * std::max(lag_, parameters_.correction_interval * integrator_.time_step());
+  lag_factor_ = 2. * std::max(lag_factor_, parameters_.correction_interval *
+                                               integrator_.time_step() * damping_.time_scale());
   safety_ *= 0.8;
   update_mass();
-  log_.line(format("  %s: %s; back to the last good state, lag %.2f s, time step %.2f ms",
-                   name_.c_str(), reason.c_str(), lag_, 1e3 * integrator_.time_step()));
+  log_.line(format("  %s: %s; back to the last good state, lag factor %.1f, time step %.2f ms",
+                   name_.c_str(), reason.c_str(), lag_factor_, 1e3 * integrator_.time_step()));
 }
 
 std::string Unloading::diagnosis(const mechanics::StepReport& report) const {

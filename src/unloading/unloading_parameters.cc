@@ -1,10 +1,17 @@
 #include "prosup/unloading/unloading_parameters.h"
 
+#include "prosup/core/parameters.h"
+
 namespace prosup::unloading {
 
 using namespace dealii;
 
-UnloadingParameters::UnloadingParameters() : ParameterAcceptor("Unloading") {}
+UnloadingParameters::UnloadingParameters()
+    : ParameterAcceptor("Unloading"), damping("lowest-frequency") {}
+
+mechanics::DampingScheme UnloadingParameters::damping_scheme() const {
+  return enumerator<mechanics::DampingScheme>(damping, mechanics::damping_names());
+}
 
 void UnloadingParameters::declare_parameters(ParameterHandler& prm) {
   prm.add_parameter("Density", density,
@@ -12,22 +19,31 @@ void UnloadingParameters::declare_parameters(ParameterHandler& prm) {
                     Patterns::Double(1e-9, 1.));
   prm.add_parameter("Gravity", gravity, "|g|, acceleration of gravity. Units: mm/s^2.",
                     Patterns::Double(0., 1e6));
+  prm.add_parameter("Damping", damping,
+                    "How motion is taken out of the simulation. lowest-frequency: r/rho = 2 omega, "
+                    "estimated from the motion by omega^2 = u.f / u.M u. adaptive: the same with "
+                    "increments of u and f (adaptive dynamic relaxation). fixed: r/rho as given. "
+                    "kinetic: velocities are set to zero at each peak of the kinetic energy; does "
+                    "not settle with a reference that moves. Units: none.",
+                    one_of(mechanics::damping_names()));
   prm.add_parameter("Damping rate", damping_rate,
-                    "r/rho, damping coefficient over density (paper eq. 1); about twice the lowest "
-                    "eigenfrequency settles fastest. Units: 1/s.",
+                    "r/rho, damping coefficient over density (paper eq. 1): of the fixed scheme, "
+                    "and of the others until they have an estimate. Units: 1/s.",
                     Patterns::Double(0., 1e6));
   prm.add_parameter(
-      "Lag", lag,
-      "tau, time in which the unloaded positions follow the prediction: every n steps "
-      "X <- X + min(1, n h/tau) (x - u - X). Its product with the damping rate should be "
-      "well above 1. Units: s.",
+      "Lag factor", lag_factor,
+      "tau r/rho: the time tau in which the unloaded positions follow the prediction, every n "
+      "steps X <- X + min(1, n h/tau) (x - u - X), times the damping rate. Should be above 1; 0 "
+      "is the full correction of the paper. Units: none.",
       Patterns::Double(0., 1e6));
   prm.add_parameter("Correction interval", correction_interval,
                     "n, steps between two corrections of the unloaded positions. Units: none.",
                     Patterns::Integer(1, 100000));
-  prm.add_parameter("Gravity ramp", gravity_ramp,
-                    "Time in which gravity rises linearly to its full value. Units: s.",
-                    Patterns::Double(0., 1e6));
+  prm.add_parameter(
+      "Gravity ramp", gravity_ramp,
+      "Time in which gravity rises linearly to its full value, times the damping rate. "
+      "Units: none.",
+      Patterns::Double(0., 1e6));
   prm.add_parameter(
       "Residual tolerance", residual_tolerance,
       "Stop when the norm of the out-of-balance nodal forces is below this part of the "

@@ -30,7 +30,7 @@ TEST_F(Parameters, UnknownEntryOrSectionOfSet) {
   expect_refused(registering({"--set", "Unloading/Lagg=1"}), {"Unloading/Lagg=1", "--write-prm"});
   expect_refused(registering({"--set", "Unlading/Lag=1"}), {"Unlading/Lag=1", "section"});
   expect_refused(registering({"--set", "Unlading/Lag=1"}), {"Unlading/Lag=1", "section"}, 2);
-  expect_refused(registering({"--set", "Unloading/Lag"}), {"Unloading/Lag", "'='"});
+  expect_refused(registering({"--set", "Unloading/Lag factor"}), {"Unloading/Lag factor", "'='"});
 }
 
 TEST_F(Parameters, ValueOutOfRange) {

@@ -2,7 +2,9 @@
 #define PROSUP_CORE_PARAMETERS_H
 
 #include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/patterns.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -22,6 +24,15 @@ void read_parameters(dealii::ParameterHandler& parameters, const std::filesystem
 /// Writes all parameters with values, units and documentation to `file`.
 void write_parameters(const dealii::ParameterHandler& parameters,
                       const std::filesystem::path& file);
+
+/// Pattern of a value that is one of `names`.
+dealii::Patterns::Selection one_of(const std::vector<std::string>& names);
+
+/// The enumerator whose place in its list of names is that of `name`.
+template <typename Enumerator>
+Enumerator enumerator(const std::string& name, const std::vector<std::string>& names) {
+  return static_cast<Enumerator>(std::find(names.begin(), names.end(), name) - names.begin());
+}
 
 } // namespace prosup
 

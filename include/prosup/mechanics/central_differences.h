@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "prosup/mechanics/body.h"
+#include "prosup/mechanics/critical_step.h"
 #include "prosup/mechanics/internal_force.h"
 
 namespace prosup::mechanics {
@@ -11,19 +12,18 @@ namespace prosup::mechanics {
 /// Masses of the nodes and the step that is stable with them.
 struct StableMass {
   std::vector<double> mass;    ///< inertial mass of each local node, g
-  double time_step = 0.;       ///< s
+  double critical_step = 0.;   ///< s
   double scaled_fraction = 0.; ///< part of the nodes whose mass was raised
 };
 
-/// Lumped masses rho V_a and a time step with a margin to the critical one,
-///   h = safety * min_a 2 sqrt(m_a / k_a),
-/// k_a being InternalForce::stiffness_bound. A few badly shaped cells would
-/// rule the step, so that the fraction `scaled_fraction` of the nodes with the
-/// smallest step gets the mass that suits the step of the others. The settled
-/// state does not depend on it. Collective.
+/// Lumped masses rho V_a, and their critical step from the highest frequency. A
+/// few badly shaped elements would rule the step, so that the fraction
+/// `scaled_fraction` of the nodes with the smallest 2 sqrt(m_a / k_a), k_a being
+/// InternalForce::stiffness_bound, gets the mass that suits the step of the
+/// others. The settled state does not depend on it. Collective.
 StableMass stable_mass(const Body& body, const InternalForce& internal_force,
-                       const NodeVector& displacement, double density, double safety,
-                       double scaled_fraction);
+                       HighestFrequency& highest_frequency, const NodeVector& displacement,
+                       const std::vector<bool>& fixed, double density, double scaled_fraction);
 
 /// What one step tells of the state, over all ranks of the body.
 struct StepReport {
@@ -41,10 +41,13 @@ public:
   CentralDifferences(const Body& body, const InternalForce& internal_force);
 
   void set_fixed_nodes(const std::vector<bool>& fixed);
-  void set_mass(const StableMass& mass) { mass_ = mass; }
+  /// Steps are `safety` times the critical one.
+  void set_mass(const StableMass& mass, double safety);
   void set_damping(double rate) { damping_rate_ = rate; } ///< r/rho, 1/s
 
-  double time_step() const { return mass_.time_step; }
+  double time_step() const { return time_step_; }
+  /// Inertial mass of each local node, g.
+  const std::vector<double>& mass() const { return mass_; }
 
   /// One step of `displacement` (owned nodes; ghosts are those of the state
   /// before) under `external_force` (owned nodes, g mm/s^2). Returns this rank's
@@ -54,13 +57,16 @@ public:
   /// Energy and residual of the last step; collective.
   StepReport report() const;
 
+  /// External minus internal force of the last step, zero at fixed nodes.
+  const NodeVector& force() const { return force_; }
   NodeVector& velocity() { return velocity_; }
   const NodeVector& velocity() const { return velocity_; }
 
 private:
   const Body& body_;
   const InternalForce& internal_force_;
-  StableMass mass_;
+  std::vector<double> mass_;
+  double time_step_ = 0.;
   double damping_rate_ = 0.;
   double min_jacobian_ = 1.;
   std::vector<double> mobility_; // 1 for free owned nodes, 0 for fixed ones

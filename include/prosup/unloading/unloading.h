@@ -7,6 +7,7 @@
 #include "prosup/core/log.h"
 #include "prosup/mechanics/body.h"
 #include "prosup/mechanics/central_differences.h"
+#include "prosup/mechanics/damping.h"
 #include "prosup/mechanics/internal_force.h"
 #include "prosup/unloading/unloading_parameters.h"
 
@@ -28,7 +29,7 @@ struct UnloadingResult {
 /// prediction-correction of the paper (its Fig. 3) in Lagrangian form. The
 /// loaded position x of each node is known. A forward simulation on the
 /// current X predicts the displacement u, and every n steps
-///   X <- X + beta (x - u - X),  beta = min(1, n h/tau).
+///   X <- X + beta (x - u - X),  beta = min(1, n h/tau), tau = lag factor/(r/rho).
 /// Where it settles, internal(X -> x) = gravity + extra force, and X + u = x.
 /// Collective on the communicator of the body.
 class Unloading {
@@ -36,7 +37,8 @@ public:
   /// What has to be kept to return to a state.
   struct State {
     NodeVector unloaded, displacement, velocity, force, force_increment;
-    double time = 0., ramp_start = 0., ramp_time = 0.;
+    double time = 0., ramp_start = 0., ramp_time = 0.; ///< s
+    double loading = 0.;                               ///< time since the start in damping times
   };
 
   /// `gravity_direction` is a direction in LPS of any positive length.
@@ -94,7 +96,9 @@ private:
   const Log log_;
   const std::vector<bool> fixed_;
   mechanics::InternalForce internal_force_;
+  mechanics::HighestFrequency highest_frequency_;
   mechanics::CentralDifferences integrator_;
+  mechanics::DampingControl damping_;
   State state_;
   State last_good_;
   NodeVector external_force_;
@@ -102,7 +106,7 @@ private:
   bool holds_reference_ = false;
   bool fully_loaded_ = false; // all ramps were over in the last steps
   double weight_norm_ = 0.;
-  double lag_;
+  double lag_factor_;
   double safety_;
   double min_jacobian_ = 1.;     // this rank's, since the last report
   double reference_volume_ = 1.; // smallest cell volume, all ranks

@@ -114,13 +114,17 @@ TEST(Unloading, ResultDoesNotDependOnTheWayThere) {
   const std::vector<mechanics::LameParameters> material{mechanics::lame_parameters(200., 0.4)};
   HangingBoxParameters parameters;
   const LoadedBox box = load_box(material, parameters);
-  for (const double lag : {0.05, 0.2})
-    for (const double scaled : {0., 0.5}) {
-      parameters.lag = lag;
-      parameters.scaled_fraction = scaled;
-      parameters.damping_rate = lag < 0.1 ? 60. : 30.;
-      EXPECT_LT(unload_box(parameters, box, material).error, 0.005) << lag << " " << scaled;
-    }
+  for (const std::string damping : {"fixed", "lowest-frequency", "adaptive"})
+    for (const double scaled : {0., 1.})
+      for (const double lag : {2.5, 6.}) {
+        parameters.damping = damping;
+        parameters.damping_rate = 50.;
+        parameters.lag_factor = lag;
+        parameters.scaled_fraction = scaled;
+        parameters.gravity_ramp = scaled == 0. ? 0. : 4.;
+        EXPECT_LT(unload_box(parameters, box, material).error, 0.005)
+            << damping << " " << scaled << " " << lag;
+      }
 }
 
 TEST(Unloading, GoesBackAndGivesUpWithADiagnosis) {
