@@ -74,7 +74,8 @@ TEST(CentralDifferences, MassScalingOnlyRaisesMasses) {
   const StableMass plain = mass_of(body, kernel, u);
   const StableMass scaled = mass_of(body, kernel, u, 0.3);
   EXPECT_GT(scaled.critical_step, 1.2 * plain.critical_step);
-  EXPECT_NEAR(scaled.scaled_fraction, 0.3, 0.05);
+  // Nodes at the same distance from the limit are raised together or not at all.
+  EXPECT_NEAR(scaled.scaled_fraction, 0.3, 0.1);
   for (std::size_t node = 0; node < plain.mass.size(); ++node)
     EXPECT_GE(scaled.mass[node], plain.mass[node] * (1. - 1e-12));
 }
