@@ -16,6 +16,11 @@ const std::vector<std::string>& precision_names() {
   return names;
 }
 
+const std::vector<std::string>& instruction_set_names() {
+  static const std::vector<std::string> names{"baseline", "AVX2", "AVX-512"};
+  return names;
+}
+
 ElementParameters::ElementParameters()
     : ParameterAcceptor("Elements"), type_(element_names().front()),
       precision_(precision_names().front()) {}
@@ -32,11 +37,18 @@ void ElementParameters::declare_parameters(ParameterHandler& prm) {
                     "Floating-point numbers in which internal forces are computed; positions "
                     "are double always. Units: none.",
                     one_of(precision_names()));
+  std::vector<std::string> sets = instruction_set_names();
+  sets.insert(sets.begin(), "best");
+  prm.add_parameter("Instruction set", instruction_set_,
+                    "What the forces are computed with; best is the best that this processor "
+                    "has, another one makes results equal to the last digit on all processors "
+                    "that have it. Units: none.",
+                    one_of(sets));
 }
 
 Element ElementParameters::element() const {
   return {enumerator<ElementType>(type_, element_names()),
-          enumerator<Precision>(precision_, precision_names())};
+          enumerator<Precision>(precision_, precision_names()), instruction_set_};
 }
 
 } // namespace prosup::mechanics

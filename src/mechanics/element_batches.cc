@@ -13,6 +13,7 @@
 #endif
 
 #include "element_kernel.h"
+#include "prosup/core/error.h"
 #include "prosup/core/tet_topology.h"
 
 namespace prosup::mechanics {
@@ -39,12 +40,20 @@ private:
 #endif
 };
 
-/// The last set is the best.
 template <typename Real>
-const kernel::Kernels<Real>& best_kernels() {
+const kernel::Kernels<Real>& kernels_named(const std::string& instruction_set) {
   int n = 0;
   const auto* all = kernel::all_kernels<Real>(n);
-  return *all[n - 1];
+  std::string names;
+  for (int i = 0; i < n; ++i) {
+    if (instruction_set == all[i]->instruction_set)
+      return *all[i];
+    names += std::string(", ") + all[i]->instruction_set;
+  }
+  if (instruction_set != "best")
+    throw Error("This processor does not have the instruction set '" + instruction_set +
+                "' of 'Elements/Instruction set'; it can run best" + names + ".");
+  return *all[n - 1]; // the last is the best
 }
 
 template <typename Real, typename Batch>
@@ -52,7 +61,7 @@ class Batches : public ElementBatches {
 public:
   explicit Batches(const Body& body)
       : body_(body), is_averaged_(body.element().type == ElementType::nodal_pressure),
-        kernels_(best_kernels<Real>()) {
+        kernels_(kernels_named<Real>(body.element().instruction_set)) {
     const unsigned n_interface = body.n_interface_elements();
     const unsigned half = (n_interface + body.n_elements()) / 2;
     add_part(interface, 0, n_interface);

@@ -21,6 +21,7 @@ enum class Precision { double_precision, single_precision };
 struct Element {
   ElementType type = ElementType::linear;
   Precision precision = Precision::double_precision;
+  std::string instruction_set = "best"; ///< of the processor, or of instruction_set_names()
 
   unsigned degree() const { return type == ElementType::quadratic ? 2 : 1; }
   unsigned n_nodes() const { return type == ElementType::quadratic ? 10 : 4; }
@@ -31,6 +32,10 @@ struct Element {
 const std::vector<std::string>& element_names();
 const std::vector<std::string>& precision_names();
 
+/// The instruction sets that forces are compiled for, the plainest first; not all
+/// may run on this processor.
+const std::vector<std::string>& instruction_set_names();
+
 /// Choice of the element, section "Elements".
 class ElementParameters : public dealii::ParameterAcceptor {
 public:
@@ -40,7 +45,7 @@ public:
   Element element() const;
 
 private:
-  std::string type_, precision_;
+  std::string type_, precision_, instruction_set_ = "best";
 };
 
 } // namespace prosup::mechanics
