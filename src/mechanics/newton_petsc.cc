@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <exception>
 #include <memory>
-#include <type_traits>
 
 #include "newton.h"
 #include "petsc_session.h"
-#include "prosup/core/error.h"
 
 namespace prosup::mechanics {
 
@@ -15,38 +13,14 @@ using namespace dealii;
 
 namespace {
 
-void check(PetscErrorCode code) {
-  if (code == 0)
-    return;
-  const char* text = nullptr;
-  PetscErrorMessage(code, &text, nullptr);
-  throw Error(std::string("PETSc failed in the quasi-static solver (") +
-              (text != nullptr ? text : "unknown reason") +
-              "); choose another 'Quasi-static/Linear algebra'.");
-}
-
-/// Destroys a PETSc object, unless PETSc has ended before.
-template <auto destroy>
-struct Destroy {
-  template <typename Object>
-  void operator()(Object* object) const {
-    if (!PetscFinalizeCalled)
-      destroy(&object);
-  }
-};
-template <typename Handle, auto destroy>
-using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Destroy<destroy>>;
-
-/// Makes PETSc hand its errors on to us instead of printing them.
-struct QuietErrors {
-  QuietErrors() { PetscPushErrorHandler(PetscReturnErrorHandler, nullptr); }
-  ~QuietErrors() { PetscPopErrorHandler(); }
-};
+using petsc::check;
+using petsc::Owned;
+using petsc::QuietErrors;
 
 class PetscNewton : public NewtonSolver {
 public:
   PetscNewton(const Equilibrium& equations, LinearSolver solver) : solver_(solver) {
-    start_petsc();
+    petsc::start();
     const QuietErrors quiet;
     const Body& body = equations.body();
     body.initialize(position_);
@@ -114,13 +88,14 @@ private:
     snes_.reset(snes);
     check(SNESSetType(snes, SNESNEWTONLS));
     check(SNESSetFunction(snes, residual_.get(), &PetscNewton::evaluate_residual, this));
-    check(SNESSetJacobian(snes, matrix_.get(), matrix_.get(), &PetscNewton::evaluate_tangent, this));
+    check(
+        SNESSetJacobian(snes, matrix_.get(), matrix_.get(), &PetscNewton::evaluate_tangent, this));
     // An inexact solution is a direction still: the line search decides.
     check(SNESSetMaxLinearSolveFailures(snes, -1));
     SNESLineSearch search = nullptr;
     check(SNESGetLineSearch(snes, &search));
-    check(SNESLineSearchSetType(search, SNESLINESEARCHBT));
-    check(SNESLineSearchSetTolerances(search, 1e-8, 1e8, 1e-8, 1e-15, 1e-8, max_shortenings));
+    check(SNESLineSearchSetType(search, SNESLINESEARCHSHELL));
+    check(SNESLineSearchShellSetUserFunc(search, &PetscNewton::backtrack, nullptr));
     KSP ksp = nullptr;
     PC pc = nullptr;
     check(SNESGetKSP(snes, &ksp));
@@ -137,8 +112,12 @@ private:
     check(KSPSetTolerances(ksp, linear_tolerance, 1e-50, 1e10, max_linear_iterations));
     check(PCSetType(pc, PCGAMG));
     check(PCGAMGSetType(pc, PCGAMGAGG));
-    PetscReal threshold = 0.01;
+    // Of the settings tried on hanging boxes, the fastest: little coarse grids
+    // (from GAMG's aggressive first level), made anew only in values.
+    PetscReal threshold = 0.;
     check(PCGAMGSetThreshold(pc, &threshold, 1));
+    check(PCGAMGSetAggressiveLevels(pc, 1));
+    check(PCGAMGSetReuseInterpolation(pc, PETSC_TRUE));
   }
 
   /// Tells the multigrid the rigid body modes of nodes at `positions`.
@@ -203,6 +182,32 @@ private:
       else // the line search shortens a step to where the residual is infinite
         check(VecSet(f, std::numeric_limits<double>::infinity()));
     });
+  }
+
+  /// The line search. Interpolation between norms, as in SNES's own, shortens
+  /// the steps far more than large rotations need.
+  static PetscErrorCode backtrack(SNESLineSearch search, void*) {
+    SNES snes = nullptr;
+    Vec x = nullptr, f = nullptr, step = nullptr, trial = nullptr, trial_f = nullptr;
+    PetscReal norm = 0.;
+    PetscCall(SNESLineSearchGetSNES(search, &snes));
+    PetscCall(SNESLineSearchGetVecs(search, &x, &f, &step, &trial, &trial_f));
+    PetscCall(SNESLineSearchGetNorms(search, nullptr, &norm, nullptr));
+    PetscErrorCode code = 0;
+    const double part = accepted_part(norm, [&](double tried) {
+      PetscReal after = std::numeric_limits<double>::infinity();
+      code = code != 0 ? code : VecWAXPY(trial, -tried, step, x);
+      code = code != 0 ? code : SNESComputeFunction(snes, trial, trial_f);
+      code = code != 0 ? code : VecNorm(trial_f, NORM_2, &after);
+      return after;
+    });
+    PetscCall(code);
+    if (!(part > 0.))
+      return SNESLineSearchSetReason(search, SNES_LINESEARCH_FAILED_REDUCT);
+    PetscCall(VecCopy(trial, x));
+    PetscCall(VecCopy(trial_f, f));
+    PetscCall(SNESLineSearchSetLambda(search, part));
+    return SNESLineSearchComputeNorms(search);
   }
 
   static PetscErrorCode evaluate_tangent(SNES, Vec x, Mat matrix, Mat, void* context) {
