@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "newton.h"
-#include "petsc_session.h"
+#include "petsc_linear_algebra.h"
 
 namespace prosup::mechanics {
 
@@ -25,9 +25,10 @@ public:
     const Body& body = equations.body();
     body.initialize(position_);
     body.initialize(force_);
-    create_vectors(body);
-    create_matrix(equations);
-    create_solver(body.communicator());
+    solution_ = petsc::make_vector(body);
+    residual_ = petsc::make_vector(body);
+    matrix_ = petsc::make_matrix(equations);
+    create_nonlinear_solver(body.communicator());
   }
 
   NewtonReport solve(const Equilibrium& equations, NodeVector& unknown,
@@ -48,41 +49,7 @@ public:
   }
 
 private:
-  void create_vectors(const Body& body) {
-    Vec vector = nullptr;
-    check(VecCreate(body.communicator(), &vector));
-    solution_.reset(vector);
-    check(VecSetSizes(vector, 3 * static_cast<PetscInt>(body.n_owned_nodes()), PETSC_DETERMINE));
-    check(VecSetBlockSize(vector, 3));
-    check(VecSetType(vector, VECSTANDARD));
-    Vec second = nullptr;
-    check(VecDuplicate(vector, &second));
-    residual_.reset(second);
-  }
-
-  void create_matrix(const Equilibrium& equations) {
-    const Body& body = equations.body();
-    const PetscInt n = static_cast<PetscInt>(body.n_owned_nodes());
-    Mat matrix = nullptr;
-    check(MatCreate(body.communicator(), &matrix));
-    matrix_.reset(matrix);
-    check(MatSetSizes(matrix, 3 * n, 3 * n, PETSC_DETERMINE, PETSC_DETERMINE));
-    check(MatSetBlockSize(matrix, 3));
-    check(MatSetType(matrix, MATAIJ));
-    const auto pattern = equations.node_pattern();
-    PetscInt begin = 0;
-    check(VecGetOwnershipRange(solution_.get(), &begin, nullptr));
-    begin /= 3;
-    std::vector<PetscInt> n_owned(static_cast<std::size_t>(n), 0), n_other(n_owned);
-    for (PetscInt row = 0; row < n; ++row)
-      for (auto entry = pattern.begin(begin + row); entry != pattern.end(begin + row); ++entry) {
-        const PetscInt column = static_cast<PetscInt>(entry->column());
-        ++(column >= begin && column < begin + n ? n_owned : n_other)[static_cast<unsigned>(row)];
-      }
-    check(MatXAIJSetPreallocation(matrix, 3, n_owned.data(), n_other.data(), nullptr, nullptr));
-  }
-
-  void create_solver(MPI_Comm communicator) {
+  void create_nonlinear_solver(MPI_Comm communicator) {
     SNES snes = nullptr;
     check(SNESCreate(communicator, &snes));
     snes_.reset(snes);
@@ -97,27 +64,8 @@ private:
     check(SNESLineSearchSetType(search, SNESLINESEARCHSHELL));
     check(SNESLineSearchShellSetUserFunc(search, &PetscNewton::backtrack, nullptr));
     KSP ksp = nullptr;
-    PC pc = nullptr;
     check(SNESGetKSP(snes, &ksp));
-    check(KSPGetPC(ksp, &pc));
-    if (solver_ == LinearSolver::direct) {
-      check(KSPSetType(ksp, KSPPREONLY));
-      check(PCSetType(pc, PCLU));
-      check(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
-      return;
-    }
-    check(KSPSetType(ksp, KSPGMRES));
-    check(KSPGMRESSetRestart(ksp, linear_restart));
-    check(KSPSetPCSide(ksp, PC_RIGHT));
-    check(KSPSetTolerances(ksp, linear_tolerance, 1e-50, 1e10, max_linear_iterations));
-    check(PCSetType(pc, PCGAMG));
-    check(PCGAMGSetType(pc, PCGAMGAGG));
-    // Of the settings tried on hanging boxes, the fastest: little coarse grids
-    // (from GAMG's aggressive first level), made anew only in values.
-    PetscReal threshold = 0.;
-    check(PCGAMGSetThreshold(pc, &threshold, 1));
-    check(PCGAMGSetAggressiveLevels(pc, 1));
-    check(PCGAMGSetReuseInterpolation(pc, PETSC_TRUE));
+    petsc::set_linear_solver(ksp, solver_);
   }
 
   /// Tells the multigrid the rigid body modes of nodes at `positions`.

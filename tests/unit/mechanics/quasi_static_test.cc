@@ -19,8 +19,9 @@ const Tensor<1, 3> weight({0., -9.81, 0.}); // g/(mm^2 s^2), of 1 g/cm^3
 /// A box held at its face at high y, with its solver.
 struct Box {
   Box(const std::vector<unsigned>& n, const Point<3>& size, ElementType type,
-      const LameParameters& material, const std::string& linear_algebra = "")
-      : mesh(tests::make_box(MPI_COMM_WORLD, n, size)), body(*mesh, Element{type}),
+      const LameParameters& material, const std::string& linear_algebra = "",
+      MPI_Comm communicator = MPI_COMM_WORLD)
+      : mesh(tests::make_box(communicator, n, size)), body(*mesh, Element{type}),
         solver(parameters, body) {
     if (!linear_algebra.empty())
       parameters.linear_algebra = linear_algebra;
@@ -121,6 +122,16 @@ TEST_P(RoundTrip, ReturnsToTheUnloadedBoxAndDoesNotDependOnTheLinearAlgebra) {
 INSTANTIATE_TEST_SUITE_P(Elements, RoundTrip,
                          ::testing::Values(ElementType::linear, ElementType::nodal_pressure,
                                            ElementType::quadratic));
+
+// Such as one of two bodies that ranks share.
+TEST(QuasiStatic, RanksMaySolveAlone) {
+  for (const std::string& linear_algebra : linear_algebra_names())
+    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0) {
+      Box box({2, 2, 2}, {20., 20., 20.}, ElementType::linear, lame_parameters(400., 0.4),
+              linear_algebra, MPI_COMM_SELF);
+      EXPECT_TRUE(box.solver.load(box.body.vertex_positions(), box.displacement).converged);
+    }
+}
 
 // An affine displacement of the whole surface is that of the inside too.
 TEST(QuasiStatic, FixedNodesKeepPrescribedDisplacements) {
