@@ -11,7 +11,7 @@ const std::vector<std::string>& linear_algebra_names() {
 }
 
 QuasiStaticParameters::QuasiStaticParameters()
-    : ParameterAcceptor("Quasi-static"), linear_algebra(linear_algebra_names().front()) {}
+    : ParameterAcceptor("Quasi-static"), linear_algebra("petsc-gamg") {}
 
 void QuasiStaticParameters::declare_parameters(ParameterHandler& prm) {
   std::string names;
