@@ -22,7 +22,7 @@ DampingControl::DampingControl(DampingScheme scheme, double first_rate, const Bo
 }
 
 void DampingControl::update(CentralDifferences& integrator, const NodeVector& displacement,
-                            const NodeVector& external_force, double kinetic_energy) {
+                            const NodeVector& external_force) {
   switch (scheme_) {
   case DampingScheme::fixed:
     break;
@@ -32,11 +32,11 @@ void DampingControl::update(CentralDifferences& integrator, const NodeVector& di
       rate_ = 2. * omega;
     break;
   case DampingScheme::kinetic:
-    if (kinetic_energy < last_kinetic_energy_) {
+    const double energy = integrator.report().kinetic_energy;
+    const bool past_peak = energy < last_kinetic_energy_;
+    if (past_peak)
       integrator.velocity() = 0.;
-      kinetic_energy = 0.;
-    }
-    last_kinetic_energy_ = kinetic_energy;
+    last_kinetic_energy_ = past_peak ? 0. : energy;
     break;
   }
   integrator.set_damping(rate_);

@@ -90,9 +90,12 @@ UnloadingResult Unloading::simulate(unsigned max_steps, bool until_settled) {
     state_.loading += duration * damping_.time_scale();
     update_external_force();
     min_jacobian_ = std::numeric_limits<double>::max();
-    for (unsigned i = 0; i < n; ++i)
+    for (unsigned i = 0; i < n; ++i) {
       min_jacobian_ =
           std::min(min_jacobian_, integrator_.step(external_force_, state_.displacement));
+      if (damping_.watches_every_step() || i + 1 == n)
+        damping_.update(integrator_, state_.displacement, external_force_);
+    }
     result.n_steps += n;
 
     mechanics::StepReport report = integrator_.report();
@@ -101,7 +104,6 @@ UnloadingResult Unloading::simulate(unsigned max_steps, bool until_settled) {
       retreat(report, result);
       continue;
     }
-    damping_.update(integrator_, state_.displacement, external_force_, report.kinetic_energy);
     result.min_jacobian = report.min_jacobian;
     result.residual = report.residual_norm / weight_norm_;
     result.distance = holds_reference_ ? 0. : max_distance();

@@ -34,10 +34,14 @@ public:
   /// first one where there is none.
   double time_scale() const { return rate_ > 0. ? rate_ : first_rate_; }
 
+  /// Peaks of the kinetic energy are seen by looking at every step; the others
+  /// change slowly.
+  bool watches_every_step() const { return scheme_ == DampingScheme::kinetic; }
+
   /// Looks at the state after a step of `integrator` under `external_force` and
   /// sets its damping.
   void update(CentralDifferences& integrator, const NodeVector& displacement,
-              const NodeVector& external_force, double kinetic_energy);
+              const NodeVector& external_force);
 
 private:
   double frequency(const CentralDifferences& integrator, const NodeVector& displacement,
