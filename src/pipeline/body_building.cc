@@ -83,4 +83,15 @@ std::string describe(const std::string& name, const unloading::UnloadingResult& 
                 result.converged ? "" : " (NOT settled)");
 }
 
+std::string describe(const std::string& name, const mechanics::QuasiStaticResult& result) {
+  return format("  %s: %u Newton steps in %u load steps, residual %.1e, min J %.2f%s", name.c_str(),
+                result.n_newton_steps, result.n_load_steps, result.residual, result.min_jacobian,
+                result.converged ? "" : " (NOT converged)");
+}
+
+Tensor<1, 3> body_force(const Stages& stages, unsigned state) {
+  const Tensor<1, 3>& direction = stages.scene.gravity[state];
+  return stages.unloading.density * stages.unloading.gravity / direction.norm() * direction;
+}
+
 } // namespace prosup::pipeline
