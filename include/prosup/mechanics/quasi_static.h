@@ -3,6 +3,7 @@
 
 #include <deal.II/base/parameter_acceptor.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -88,6 +89,11 @@ public:
 
 private:
   struct Implementation;
+
+  /// Finds `unknown` (its start and the last good state at the end) in load
+  /// steps; `save` is called before it returns or throws.
+  QuasiStaticResult solve(NodeVector& unknown, const std::function<void()>& save);
+  std::string diagnosis(double reached, double tried, double min_jacobian, double residual) const;
 
   const QuasiStaticParameters& parameters_;
   const Body& body_;

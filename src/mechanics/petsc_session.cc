@@ -1,0 +1,36 @@
+#include "petsc_session.h"
+
+#include <petscsys.h>
+
+#include "prosup/core/error.h"
+
+namespace prosup::mechanics {
+
+namespace {
+
+/// MPI deletes the attributes of MPI_COMM_SELF as the first act of MPI_Finalize.
+int finalize_petsc(MPI_Comm, int, void*, void*) {
+  if (PetscInitializeCalled && !PetscFinalizeCalled)
+    PetscFinalize();
+  return MPI_SUCCESS;
+}
+
+} // namespace
+
+void start_petsc() {
+  if (PetscInitializeCalled)
+    return;
+  // The host's signals, options and options files are its own.
+  PetscOptionsSetValue(nullptr, "-no_signal_handler", "true");
+  PetscOptionsSetValue(nullptr, "-skip_petscrc", "true");
+  PETSC_COMM_WORLD = MPI_COMM_SELF;
+  if (PetscInitializeNoArguments() != 0)
+    throw Error("PETSc cannot be started; choose a linear algebra of Trilinos in "
+                "'Quasi-static/Linear algebra'.");
+  int key = MPI_KEYVAL_INVALID;
+  MPI_Comm_create_keyval(MPI_COMM_NULL_COPY_FN, finalize_petsc, &key, nullptr);
+  MPI_Comm_set_attr(MPI_COMM_SELF, key, nullptr);
+  MPI_Comm_free_keyval(&key);
+}
+
+} // namespace prosup::mechanics
