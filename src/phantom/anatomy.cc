@@ -9,9 +9,10 @@ namespace prosup::phantom {
 
 namespace {
 
-constexpr double lobe_size = 7., branch_size = 3.;       // mm, lattice spacings
-constexpr double skin_distance = 7., skin_softness = 3.; // mm, of the fat under the skin
-constexpr double sample_spacing = 2.5;                   // mm, for the threshold
+constexpr double lobe_size = 7., branch_size = 3.; // mm, lattice spacings
+// mm, thickness of the fat under the skin and on the chest
+constexpr double fat_cover = 5., cover_softness = 2.;
+constexpr double sample_spacing = 2.5; // mm, for the threshold
 
 } // namespace
 
@@ -35,16 +36,14 @@ Anatomy::Anatomy(const Geometry& geometry, double gland_fraction, std::uint64_t 
 }
 
 double Anatomy::gland_score(const Point<3>& X) const {
-  const double thickness = geometry_.thickness(X[0], X[2]);
   const double above_chest = geometry_.chest_y(X[0]) - X[1];
-  const double below_skin = thickness - above_chest;
-  // Distance from the axis of the breast and depth, both scaled.
+  // Distance from the axis of the breast and height above the chest, scaled.
   const double radial = std::hypot(X[0], X[2]) / (1.1 * geometry_.sigma);
-  const double depth = above_chest / (geometry_.layer + geometry_.height) - 0.5;
-  const double middle = 2. - 2.5 * radial * radial - 3. * depth * depth;
-  const double cover = std::exp((skin_distance - below_skin) / skin_softness) +
-                       std::exp((skin_distance - above_chest) / skin_softness);
-  return middle - cover + shape_(X) + 0.45 * detail_(X);
+  const double height = above_chest / (geometry_.layer + geometry_.height) - 0.5;
+  const double middle = -1.8 * radial * radial - 2.5 * height * height;
+  const double cover = std::exp((fat_cover - geometry_.depth(X)) / cover_softness) +
+                       std::exp((fat_cover - above_chest) / cover_softness);
+  return middle - cover + 1.1 * shape_(X) + 0.6 * detail_(X);
 }
 
 Label Anatomy::label(const Point<3>& X) const {

@@ -29,6 +29,13 @@ bool Geometry::in_tissue(const Point<3>& X) const {
   return X[1] <= chest_y(X[0]) && X[1] >= skin_y(X[0], X[2]);
 }
 
+double Geometry::depth(const Point<3>& X) const {
+  const double x = X[0], z = X[2];
+  const double slope = (thickness(x, z) - layer) / (sigma * sigma);
+  const double along_x = x / std::sqrt(chest_radius * chest_radius - x * x) + slope * x;
+  return (X[1] - skin_y(x, z)) / std::hypot(1., along_x, slope * z);
+}
+
 double Geometry::distance_to_chest(const Point<3>& x) const {
   return std::hypot(x[0], x[1] - chest_radius) - chest_radius;
 }

@@ -44,8 +44,7 @@ Texture::Texture(const Anatomy& anatomy, std::uint64_t seed)
 
 double Texture::tissue(Modality modality, const Point<3>& X) const {
   const Intensities& of = intensities(modality);
-  const double below_skin = X[1] - anatomy_.geometry().skin_y(X[0], X[2]);
-  if (below_skin < skin_thickness)
+  if (anatomy_.geometry().depth(X) < skin_thickness)
     return of.skin;
   const double variation = fat_(X), septum = septa_(X) / septum_level;
   const double fat = mix(of.fat + of.fat_variation * variation, of.septum,

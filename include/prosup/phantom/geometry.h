@@ -30,6 +30,9 @@ struct Geometry {
   double skin_y(double x, double z) const { return chest_y(x) - thickness(x, z); }
 
   bool in_tissue(const Point<3>& X) const;
+  /// Distance of a point near the skin to it, mm, to first order; positive in
+  /// the tissue.
+  double depth(const Point<3>& X) const;
   /// Distance to the axis of the chest minus its radius, mm: negative in the chest.
   double distance_to_chest(const Point<3>& x) const;
 
