@@ -40,11 +40,11 @@ PointKinematics point_kinematics(const ElementShape& shape, unsigned q, const El
 
 void add_internal_force(const PointKinematics& point, unsigned n_nodes,
                         const PointMaterial& material, ElementVector& force) {
-  const double along_g = material.lambda * std::log(point.jacobian) - material.mu +
-                         material.pressure * point.jacobian;
+  const double along_g =
+      material.lambda * std::log(point.jacobian) - material.mu + material.pressure * point.jacobian;
   for (unsigned a = 0; a < n_nodes; ++a)
-    force[a] += point.volume * (material.mu * (point.F * point.gradient_X[a]) +
-                                along_g * point.gradient_x[a]);
+    force[a] += point.volume *
+                (material.mu * (point.F * point.gradient_X[a]) + along_g * point.gradient_x[a]);
 }
 
 void add_tangent_by_loaded(const PointKinematics& point, const PointMaterial& material,

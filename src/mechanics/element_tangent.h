@@ -40,11 +40,11 @@ struct ElementMatrix {
 
 /// What an element knows at a quadrature point.
 struct PointKinematics {
-  double volume = 0.;           ///< weight times det dX/dxi, mm^3
-  double jacobian = 0.;         ///< J = det F
-  dealii::Tensor<2, 3> F;       ///< dx/dX
-  ElementVector gradient_X;     ///< G_a = dN_a/dX, 1/mm
-  ElementVector gradient_x;     ///< g_a = dN_a/dx = F^-T G_a, 1/mm
+  double volume = 0.;            ///< weight times det dX/dxi, mm^3
+  double jacobian = 0.;          ///< J = det F
+  dealii::Tensor<2, 3> F;        ///< dx/dX
+  ElementVector gradient_X;      ///< G_a = dN_a/dX, 1/mm
+  ElementVector gradient_x;      ///< g_a = dN_a/dx = F^-T G_a, 1/mm
   const double* shape = nullptr; ///< N_a
 };
 

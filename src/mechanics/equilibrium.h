@@ -11,6 +11,8 @@
 
 namespace prosup::mechanics {
 
+class NodalPressure;
+
 /// Which positions are sought while the others are known.
 enum class Unknown { loaded, unloaded };
 
@@ -66,8 +68,9 @@ private:
   const NodeVector& loaded(const NodeVector& unknown) const {
     return unknown_ == Unknown::loaded ? unknown : *known_;
   }
-  PointMaterial point_material(unsigned element, const class NodalPressure* pressure) const;
-  void add_element_tangents(const NodeVector& unknown, const class NodalPressure* pressure,
+  bool averages_pressure() const { return body_.element().type == ElementType::nodal_pressure; }
+  PointMaterial point_material(unsigned element, const NodalPressure* pressure) const;
+  void add_element_tangents(const NodeVector& unknown, const NodalPressure* pressure,
                             const AddBlock& add) const;
   void add_nodal_tangents(const NodeVector& unknown, const AddBlock& add) const;
   void add_external_force(const NodeVector& unknown, double factor, NodeVector& force) const;

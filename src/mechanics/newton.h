@@ -46,8 +46,19 @@ std::unique_ptr<NewtonSolver> make_trilinos_newton(const Equilibrium& equations,
 constexpr double linear_tolerance = 1e-4;
 constexpr unsigned max_linear_iterations = 400, linear_restart = 60;
 
-/// Backtracking stops after this many shorter steps.
-constexpr unsigned max_shortenings = 12;
+/// Backtracking: halves the part of a step that is taken until it lowers the
+/// residual `norm`, where `norm_after(part)` is the norm after that part or
+/// infinite. @returns the part, 0 if there is none.
+template <typename NormAfter>
+double accepted_part(double norm, const NormAfter& norm_after) {
+  constexpr unsigned max_halvings = 12;
+  constexpr double least_decrease = 1e-4;
+  double part = 1.;
+  for (unsigned i = 0; i <= max_halvings; ++i, part *= 0.5)
+    if (norm_after(part) <= (1. - least_decrease * part) * norm)
+      return part;
+  return 0.;
+}
 
 } // namespace prosup::mechanics
 

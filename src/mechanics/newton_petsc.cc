@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <exception>
 #include <memory>
-#include <type_traits>
 
 #include "newton.h"
-#include "petsc_session.h"
-#include "prosup/core/error.h"
+#include "petsc_linear_algebra.h"
 
 namespace prosup::mechanics {
 
@@ -15,45 +13,22 @@ using namespace dealii;
 
 namespace {
 
-void check(PetscErrorCode code) {
-  if (code == 0)
-    return;
-  const char* text = nullptr;
-  PetscErrorMessage(code, &text, nullptr);
-  throw Error(std::string("PETSc failed in the quasi-static solver (") +
-              (text != nullptr ? text : "unknown reason") +
-              "); choose another 'Quasi-static/Linear algebra'.");
-}
-
-/// Destroys a PETSc object, unless PETSc has ended before.
-template <auto destroy>
-struct Destroy {
-  template <typename Object>
-  void operator()(Object* object) const {
-    if (!PetscFinalizeCalled)
-      destroy(&object);
-  }
-};
-template <typename Handle, auto destroy>
-using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Destroy<destroy>>;
-
-/// Makes PETSc hand its errors on to us instead of printing them.
-struct QuietErrors {
-  QuietErrors() { PetscPushErrorHandler(PetscReturnErrorHandler, nullptr); }
-  ~QuietErrors() { PetscPopErrorHandler(); }
-};
+using petsc::check;
+using petsc::Owned;
+using petsc::QuietErrors;
 
 class PetscNewton : public NewtonSolver {
 public:
   PetscNewton(const Equilibrium& equations, LinearSolver solver) : solver_(solver) {
-    start_petsc();
+    petsc::start();
     const QuietErrors quiet;
     const Body& body = equations.body();
     body.initialize(position_);
     body.initialize(force_);
-    create_vectors(body);
-    create_matrix(equations);
-    create_solver(body.communicator());
+    solution_ = petsc::make_vector(body);
+    residual_ = petsc::make_vector(body);
+    matrix_ = petsc::make_matrix(equations);
+    create_nonlinear_solver(body.communicator());
   }
 
   NewtonReport solve(const Equilibrium& equations, NodeVector& unknown,
@@ -74,71 +49,23 @@ public:
   }
 
 private:
-  void create_vectors(const Body& body) {
-    Vec vector = nullptr;
-    check(VecCreate(body.communicator(), &vector));
-    solution_.reset(vector);
-    check(VecSetSizes(vector, 3 * static_cast<PetscInt>(body.n_owned_nodes()), PETSC_DETERMINE));
-    check(VecSetBlockSize(vector, 3));
-    check(VecSetType(vector, VECSTANDARD));
-    Vec second = nullptr;
-    check(VecDuplicate(vector, &second));
-    residual_.reset(second);
-  }
-
-  void create_matrix(const Equilibrium& equations) {
-    const Body& body = equations.body();
-    const PetscInt n = static_cast<PetscInt>(body.n_owned_nodes());
-    Mat matrix = nullptr;
-    check(MatCreate(body.communicator(), &matrix));
-    matrix_.reset(matrix);
-    check(MatSetSizes(matrix, 3 * n, 3 * n, PETSC_DETERMINE, PETSC_DETERMINE));
-    check(MatSetBlockSize(matrix, 3));
-    check(MatSetType(matrix, MATAIJ));
-    const auto pattern = equations.node_pattern();
-    PetscInt begin = 0;
-    check(VecGetOwnershipRange(solution_.get(), &begin, nullptr));
-    begin /= 3;
-    std::vector<PetscInt> n_owned(static_cast<std::size_t>(n), 0), n_other(n_owned);
-    for (PetscInt row = 0; row < n; ++row)
-      for (auto entry = pattern.begin(begin + row); entry != pattern.end(begin + row); ++entry) {
-        const PetscInt column = static_cast<PetscInt>(entry->column());
-        ++(column >= begin && column < begin + n ? n_owned : n_other)[static_cast<unsigned>(row)];
-      }
-    check(MatXAIJSetPreallocation(matrix, 3, n_owned.data(), n_other.data(), nullptr, nullptr));
-  }
-
-  void create_solver(MPI_Comm communicator) {
+  void create_nonlinear_solver(MPI_Comm communicator) {
     SNES snes = nullptr;
     check(SNESCreate(communicator, &snes));
     snes_.reset(snes);
     check(SNESSetType(snes, SNESNEWTONLS));
     check(SNESSetFunction(snes, residual_.get(), &PetscNewton::evaluate_residual, this));
-    check(SNESSetJacobian(snes, matrix_.get(), matrix_.get(), &PetscNewton::evaluate_tangent, this));
+    check(
+        SNESSetJacobian(snes, matrix_.get(), matrix_.get(), &PetscNewton::evaluate_tangent, this));
     // An inexact solution is a direction still: the line search decides.
     check(SNESSetMaxLinearSolveFailures(snes, -1));
     SNESLineSearch search = nullptr;
     check(SNESGetLineSearch(snes, &search));
-    check(SNESLineSearchSetType(search, SNESLINESEARCHBT));
-    check(SNESLineSearchSetTolerances(search, 1e-8, 1e8, 1e-8, 1e-15, 1e-8, max_shortenings));
+    check(SNESLineSearchSetType(search, SNESLINESEARCHSHELL));
+    check(SNESLineSearchShellSetUserFunc(search, &PetscNewton::backtrack, nullptr));
     KSP ksp = nullptr;
-    PC pc = nullptr;
     check(SNESGetKSP(snes, &ksp));
-    check(KSPGetPC(ksp, &pc));
-    if (solver_ == LinearSolver::direct) {
-      check(KSPSetType(ksp, KSPPREONLY));
-      check(PCSetType(pc, PCLU));
-      check(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
-      return;
-    }
-    check(KSPSetType(ksp, KSPGMRES));
-    check(KSPGMRESSetRestart(ksp, linear_restart));
-    check(KSPSetPCSide(ksp, PC_RIGHT));
-    check(KSPSetTolerances(ksp, linear_tolerance, 1e-50, 1e10, max_linear_iterations));
-    check(PCSetType(pc, PCGAMG));
-    check(PCGAMGSetType(pc, PCGAMGAGG));
-    PetscReal threshold = 0.01;
-    check(PCGAMGSetThreshold(pc, &threshold, 1));
+    petsc::set_linear_solver(ksp, solver_);
   }
 
   /// Tells the multigrid the rigid body modes of nodes at `positions`.
@@ -203,6 +130,32 @@ private:
       else // the line search shortens a step to where the residual is infinite
         check(VecSet(f, std::numeric_limits<double>::infinity()));
     });
+  }
+
+  /// The line search. Interpolation between norms, as in SNES's own, shortens
+  /// the steps far more than large rotations need.
+  static PetscErrorCode backtrack(SNESLineSearch search, void*) {
+    SNES snes = nullptr;
+    Vec x = nullptr, f = nullptr, step = nullptr, trial = nullptr, trial_f = nullptr;
+    PetscReal norm = 0.;
+    PetscCall(SNESLineSearchGetSNES(search, &snes));
+    PetscCall(SNESLineSearchGetVecs(search, &x, &f, &step, &trial, &trial_f));
+    PetscCall(SNESLineSearchGetNorms(search, nullptr, &norm, nullptr));
+    PetscErrorCode code = 0;
+    const double part = accepted_part(norm, [&](double tried) {
+      PetscReal after = std::numeric_limits<double>::infinity();
+      code = code != 0 ? code : VecWAXPY(trial, -tried, step, x);
+      code = code != 0 ? code : SNESComputeFunction(snes, trial, trial_f);
+      code = code != 0 ? code : VecNorm(trial_f, NORM_2, &after);
+      return after;
+    });
+    PetscCall(code);
+    if (!(part > 0.))
+      return SNESLineSearchSetReason(search, SNES_LINESEARCH_FAILED_REDUCT);
+    PetscCall(VecCopy(trial, x));
+    PetscCall(VecCopy(trial_f, f));
+    PetscCall(SNESLineSearchSetLambda(search, part));
+    return SNESLineSearchComputeNorms(search);
   }
 
   static PetscErrorCode evaluate_tangent(SNES, Vec x, Mat matrix, Mat, void* context) {

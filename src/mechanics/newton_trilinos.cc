@@ -47,7 +47,7 @@ Teuchos::ParameterList multigrid_parameters(std::vector<double>& modes) {
   list.set("null space: dimension", static_cast<int>(n_rigid_modes));
   list.set("null space: vectors", modes.data());
   list.set("aggregation: type", "Uncoupled");
-  list.set("aggregation: threshold", 0.01);
+  list.set("aggregation: threshold", 0.03);
   list.set("smoother: type", "Chebyshev");
   list.set("smoother: sweeps", 2);
   list.set("coarse: type", "Amesos-KLU");
@@ -132,31 +132,27 @@ private:
     } catch (const ExceptionBase&) {
       return false; // a singular tangent
     }
-    report.n_linear_iterations += control.last_step() == numbers::invalid_unsigned_int
-                                      ? 0
-                                      : control.last_step();
+    report.n_linear_iterations +=
+        control.last_step() == numbers::invalid_unsigned_int ? 0 : control.last_step();
     return std::isfinite(step_.l2_norm());
   }
 
   /// Goes along the step as far as J stays positive and the residual falls.
   bool backtrack(const Equilibrium& equations, NodeVector& unknown, NewtonReport& report) {
-    constexpr double least_decrease = 1e-4;
-    double length = 1.;
-    for (unsigned i = 0; i <= max_shortenings; ++i, length *= 0.5) {
+    double norm = 0.;
+    const double part = accepted_part(report.residual_norm, [&](double tried) {
       for (unsigned k = 0; k < trial_.locally_owned_size(); ++k)
-        trial_.local_element(k) = unknown.local_element(k) - length * step_.local_element(k);
+        trial_.local_element(k) = unknown.local_element(k) - tried * step_.local_element(k);
       trial_.update_ghost_values();
-      if (!(equations.residual(trial_, residual_) > 0.))
-        continue;
-      const double norm = residual_.l2_norm();
-      if (!(norm <= (1. - least_decrease * length) * report.residual_norm))
-        continue;
-      report.residual_norm = norm;
-      std::copy_n(trial_.begin(), trial_.locally_owned_size(), unknown.begin());
-      unknown.update_ghost_values();
-      return true;
-    }
-    return false;
+      const bool valid = equations.residual(trial_, residual_) > 0.;
+      return norm = valid ? residual_.l2_norm() : std::numeric_limits<double>::infinity();
+    });
+    if (!(part > 0.))
+      return false;
+    report.residual_norm = norm;
+    std::copy_n(trial_.begin(), trial_.locally_owned_size(), unknown.begin());
+    unknown.update_ghost_values();
+    return true;
   }
 
   const LinearSolver solver_;

@@ -39,8 +39,7 @@ void send_ghost_rows(const Utilities::MPI::Partitioner& partitioner, std::vector
   for (const auto& [rank, n_components] : partitioner.ghost_targets())
     for (unsigned i = 0; i < n_components / 3; ++i, ++ghost)
       pack(partitioner.local_to_global(3 * ghost) / 3, rows[ghost], messages[rank]);
-  const auto received =
-      Utilities::MPI::some_to_some(partitioner.get_mpi_communicator(), messages);
+  const auto received = Utilities::MPI::some_to_some(partitioner.get_mpi_communicator(), messages);
   for (const auto& [rank, message] : received)
     for (std::size_t i = 0; i < message.size(); i += n_packed) {
       const double* entry = message.data() + i;
@@ -71,9 +70,9 @@ void NodalPressure::evaluate(const std::vector<LameParameters>& material,
   loaded_ = &loaded;
   sums_ = 0.;
   for (unsigned e = 0; e < body_.n_elements(); ++e) {
-    const PointKinematics point =
-        point_kinematics(element_shape(ElementType::nodal_pressure), 0,
-                         element_positions(body_, e, unloaded), element_positions(body_, e, loaded));
+    const PointKinematics point = point_kinematics(element_shape(ElementType::nodal_pressure), 0,
+                                                   element_positions(body_, e, unloaded),
+                                                   element_positions(body_, e, loaded));
     for (unsigned a = 0; a < 4; ++a) {
       double* sum = sums_.begin() + 3 * static_cast<std::size_t>(body_.element_nodes(e)[a]);
       sum[0] += 0.25 * point.volume;

@@ -1,10 +1,10 @@
 #include "petsc_session.h"
 
-#include <petscsys.h>
+#include <string>
 
 #include "prosup/core/error.h"
 
-namespace prosup::mechanics {
+namespace prosup::mechanics::petsc {
 
 namespace {
 
@@ -17,7 +17,7 @@ int finalize_petsc(MPI_Comm, int, void*, void*) {
 
 } // namespace
 
-void start_petsc() {
+void start() {
   if (PetscInitializeCalled)
     return;
   // The host's signals, options and options files are its own.
@@ -33,4 +33,14 @@ void start_petsc() {
   MPI_Comm_free_keyval(&key);
 }
 
-} // namespace prosup::mechanics
+void check(PetscErrorCode code) {
+  if (code == 0)
+    return;
+  const char* text = nullptr;
+  PetscErrorMessage(code, &text, nullptr);
+  throw Error(std::string("PETSc failed in the quasi-static solver (") +
+              (text != nullptr ? text : "unknown reason") +
+              "); choose another 'Quasi-static/Linear algebra'.");
+}
+
+} // namespace prosup::mechanics::petsc
