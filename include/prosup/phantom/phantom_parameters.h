@@ -35,7 +35,7 @@ public:
   double fat_shear_modulus = 325.; ///< Pa
   double gland_factor = 1.;
   double poisson_ratio = 0.45;
-  double edge_length = 8.;        ///< of the mesh, mm
+  double edge_length = 10.;       ///< of the mesh, mm
   double contact_stiffness = 1e4; ///< normal to a sliding chest, Pa/mm
   double fascia_stiffness = 8.;   ///< springs on a sliding chest, Pa/mm
   double push_pressure = 0.;      ///< on the side of the prone breast, Pa
