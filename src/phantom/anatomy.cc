@@ -25,9 +25,10 @@ Anatomy::Anatomy(const Geometry& geometry, double gland_fraction, std::uint64_t 
   }
   std::vector<double> scores;
   const double front = geometry.skin_y(0., 0.), back = geometry.chest_y(0.5 * geometry.width);
-  for (double z = -0.5 * geometry.length; z <= 0.5 * geometry.length; z += sample_spacing)
-    for (double y = front; y <= back; y += sample_spacing)
-      for (double x = -0.5 * geometry.width; x <= 0.5 * geometry.width; x += sample_spacing)
+  const double half = 0.5 * sample_spacing;
+  for (double z = half - 0.5 * geometry.length; z < 0.5 * geometry.length; z += sample_spacing)
+    for (double y = front + half; y < back; y += sample_spacing)
+      for (double x = half - 0.5 * geometry.width; x < 0.5 * geometry.width; x += sample_spacing)
         if (geometry.in_tissue({x, y, z}))
           scores.push_back(gland_score({x, y, z}));
   const auto rank = static_cast<std::ptrdiff_t>((1. - gland_fraction) * double(scores.size() - 1));

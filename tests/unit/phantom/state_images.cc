@@ -105,9 +105,9 @@ TEST(Anatomy, HasItsPartOfGland) {
   for (const double part : {0., 0.2, 0.5}) {
     const Anatomy anatomy(geometry, part, seed);
     unsigned n_gland = 0, n_tissue = 0;
-    for (double x = -39.; x < 40.; x += 1.7)
-      for (double z = -39.; z < 40.; z += 1.7)
-        for (double y = -49.; y < 15.; y += 1.7) {
+    for (double x = -39.2; x < 40.; x += 1.6)
+      for (double z = -39.2; z < 40.; z += 1.6)
+        for (double y = -49.; y < 15.; y += 1.6) {
           const Label label = anatomy.label({x, y, z});
           n_tissue += label == fat || label == gland;
           n_gland += label == gland;
