@@ -100,8 +100,9 @@ TEST(ShippedParameters, AreReadAndNameFilesThatExist) {
     ASSERT_EQ(run.exit_code, 0) << file << "\n" << run.transcript();
     for (const char* entry :
          {"Prone image", "Prone labels", "Supine image", "Supine labels", "Landmarks"})
-      if (const std::string named = value_of(contents(copy), entry); !named.empty())
+      if (const std::string named = value_of(contents(copy), entry); !named.empty()) {
         EXPECT_TRUE(std::filesystem::is_regular_file(named))
             << file << ": " << entry << " = " << named;
+      }
   }
 }
