@@ -21,10 +21,11 @@ mesh::UnloadedMesh irrational_mesh() {
 TEST(Vtu, RoundTripIsExact) {
   const testing::TemporaryFolder folder;
   auto mesh = irrational_mesh();
-  const auto& c = mesh.mesh.cells.front();
-  mesh.mesh.boundary_faces = {{{c[1], c[2], c[3]}, mesh::BoundaryPart::skin},
-                              {{c[0], c[3], c[2]}, mesh::BoundaryPart::chest_wall},
-                              {{c[0], c[2], c[1]}, mesh::BoundaryPart::cut_plane}};
+  // Of the cells in the corner of the box: faces in its sides.
+  const auto &c = mesh.mesh.cells[0], &d = mesh.mesh.cells[1], &e = mesh.mesh.cells[3];
+  mesh.mesh.boundary_faces = {{{c[0], c[2], c[1]}, mesh::BoundaryPart::skin},
+                              {{d[0], d[2], d[1]}, mesh::BoundaryPart::chest_wall},
+                              {{e[0], e[1], e[3]}, mesh::BoundaryPart::cut_plane}};
   write_mesh(mesh, folder / "", "prone");
   const auto read = read_mesh(folder / "prone_loaded.vtu");
   ASSERT_EQ(read.mesh.boundary_faces.size(), 3u);
