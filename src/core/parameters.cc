@@ -93,6 +93,17 @@ void read_parameters(ParameterHandler& parameters, const std::filesystem::path& 
   ParameterAcceptor::parse_all_parameters(parameters);
 }
 
+void resolve_files(ParameterHandler& parameters, const std::string& section,
+                   const std::vector<std::string>& entries, const std::filesystem::path& folder) {
+  parameters.enter_subsection(section);
+  for (const std::string& entry : entries) {
+    const std::filesystem::path file = parameters.get(entry);
+    if (!file.empty() && file.is_relative())
+      parameters.set(entry, (folder / file).lexically_normal().string());
+  }
+  parameters.leave_subsection();
+}
+
 void write_parameters(const ParameterHandler& parameters, const std::filesystem::path& file) {
   std::ofstream out(file);
   parameters.print_parameters(out, ParameterHandler::PRM | ParameterHandler::KeepDeclarationOrder);

@@ -1,24 +1,54 @@
 #include "prosup/evaluation/landmarks_csv.h"
 
+#include <algorithm>
+
 #include "csv.h"
 #include "prosup/core/log.h"
 #include "prosup/core/text_file.h"
 
 namespace prosup::evaluation {
 
+namespace {
+
+std::string header(const std::vector<const char*>& positions) {
+  std::string text = "id";
+  for (const char* position : positions)
+    text += format(",%s_x,%s_y,%s_z", position, position, position);
+  return text;
+}
+
+std::string row(const std::string& id, const std::vector<Point<3>>& positions) {
+  std::string text = csv::quoted(id);
+  for (const Point<3>& position : positions)
+    text += "," + csv::coordinates(position, "landmark '" + id + "'");
+  return text;
+}
+
+} // namespace
+
 void write_landmarks(const std::vector<MappedLandmark>& landmarks,
                      const std::filesystem::path& file) {
-  std::string text = "id";
-  for (const char* position : {"prone", "supine", "unloaded_from_prone", "unloaded_from_supine"})
-    text += format(",%s_x,%s_y,%s_z", position, position, position);
-  text += ",tre_mm\n";
-  for (const MappedLandmark& row : landmarks) {
-    const std::string what = "landmark '" + row.landmark.id + "'";
-    text += csv::quoted(row.landmark.id);
-    for (const Point<3>& position : {row.landmark.prone, row.landmark.supine,
-                                     row.from_prone.position, row.from_supine.position})
-      text += "," + csv::coordinates(position, what);
-    text += format(",%.6f\n", row.error());
+  std::string text =
+      header({"prone", "supine", "unloaded_from_prone", "unloaded_from_supine"}) + ",tre_mm\n";
+  for (const MappedLandmark& mapped : landmarks)
+    text += row(mapped.landmark.id, {mapped.landmark.prone, mapped.landmark.supine,
+                                     mapped.from_prone.position, mapped.from_supine.position}) +
+            format(",%.6f\n", mapped.error());
+  write_text_file(text, file);
+}
+
+void write_landmarks(const std::vector<Landmark>& landmarks, const std::filesystem::path& file) {
+  const bool unloaded = std::all_of(landmarks.begin(), landmarks.end(),
+                                    [](const Landmark& l) { return l.unloaded.has_value(); });
+  std::vector<const char*> columns{"prone", "supine"};
+  if (unloaded)
+    columns.push_back("unloaded");
+  std::string text = header(columns) + "\n";
+  for (const Landmark& landmark : landmarks) {
+    std::vector<Point<3>> positions{landmark.prone, landmark.supine};
+    if (unloaded)
+      positions.push_back(*landmark.unloaded);
+    text += row(landmark.id, positions) + "\n";
   }
   write_text_file(text, file);
 }

@@ -5,8 +5,6 @@
 namespace prosup::mesh {
 
 std::vector<OuterFace> outer_faces(const TetMesh& mesh) {
-  // Face opposite to corner a of a positively oriented cell, seen from outside.
-  constexpr unsigned face_corners[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
   struct SortedFace {
     std::array<unsigned, 3> sorted;
     OuterFace face;
@@ -15,9 +13,8 @@ std::vector<OuterFace> outer_faces(const TetMesh& mesh) {
   std::vector<SortedFace> faces;
   faces.reserve(4 * mesh.cells.size());
   for (std::size_t c = 0; c < mesh.cells.size(); ++c)
-    for (const auto& corners : face_corners) {
-      const auto& cell = mesh.cells[c];
-      const OuterFace face{{cell[corners[0]], cell[corners[1]], cell[corners[2]]}, unsigned(c)};
+    for (unsigned a = 0; a < 4; ++a) {
+      const OuterFace face{face_nodes(mesh.cells[c], a), unsigned(c)};
       auto sorted = face.nodes;
       std::sort(sorted.begin(), sorted.end());
       faces.push_back({sorted, face});

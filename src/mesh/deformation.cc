@@ -20,4 +20,13 @@ double min_jacobian(const UnloadedMesh& mesh) {
   return smallest;
 }
 
+std::vector<Point<3>> at_nodes(const TetMesh& mesh,
+                               const std::vector<std::array<Point<3>, 4>>& at_cells) {
+  std::vector<Point<3>> values(mesh.points);
+  for (std::size_t cell = 0; cell < at_cells.size(); ++cell)
+    for (unsigned a = 0; a < 4; ++a)
+      values[mesh.cells[cell][a]] = at_cells[cell][a];
+  return values;
+}
+
 } // namespace prosup::mesh

@@ -131,12 +131,27 @@ void write_registration_slices(const RegistrationImages& images,
       slice_box({&images.prone_mask, &images.supine_mask}), folder);
 }
 
+namespace {
+
+/// Both in the window of the first, which the mask is of.
+void write_two(const Panel& first, const image::LabelImage& mask, const Panel& second,
+               const std::filesystem::path& folder) {
+  Panel left = first, right = second;
+  left.shown.window = right.shown.window = window_of(*first.shown.image, mask);
+  write_slices({{left, right}}, slice_box({&mask}), folder);
+}
+
+} // namespace
+
 void write_unloading_slices(const image::ScalarImage& loaded, const image::LabelImage& mask,
                             const image::ScalarImage& unloaded,
                             const std::filesystem::path& folder) {
-  const auto window = window_of(loaded, mask);
-  write_slices({{{"Loaded", {&loaded, window}, {}}, {"Unloaded", {&unloaded, window}, {}}}},
-               slice_box({&mask}), folder);
+  write_two({"Loaded", {&loaded, {}}, {}}, mask, {"Unloaded", {&unloaded, {}}, {}}, folder);
+}
+
+void write_loading_slices(const image::ScalarImage& unloaded, const image::LabelImage& mask,
+                          const image::ScalarImage& loaded, const std::filesystem::path& folder) {
+  write_two({"Unloaded", {&unloaded, {}}, {}}, mask, {"Loaded", {&loaded, {}}, {}}, folder);
 }
 
 } // namespace prosup::output

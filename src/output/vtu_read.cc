@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "prosup/core/error.h"
+#include "prosup/mesh/boundary_codes.h"
 #include "prosup/output/vtu.h"
 #include "vtk_errors.h"
 
@@ -55,6 +56,18 @@ std::vector<Point<3>> points_of(vtkDataArray* array, vtkIdType n,
   return points;
 }
 
+/// A small number for each cell.
+std::vector<std::uint8_t> cell_numbers(vtkUnstructuredGrid& grid, const char* name,
+                                       const std::filesystem::path& file) {
+  vtkDataArray* array = grid.GetCellData()->GetArray(name);
+  if (array == nullptr || array->GetNumberOfComponents() != 1)
+    refuse(file, std::string("has no cell data '") + name + "'");
+  std::vector<std::uint8_t> numbers;
+  for (vtkIdType cell = 0; cell < array->GetNumberOfTuples(); ++cell)
+    numbers.push_back(static_cast<std::uint8_t>(array->GetComponent(cell, 0)));
+  return numbers;
+}
+
 } // namespace
 
 mesh::UnloadedMesh read_mesh(const std::filesystem::path& loaded_vtu) {
@@ -63,9 +76,7 @@ mesh::UnloadedMesh read_mesh(const std::filesystem::path& loaded_vtu) {
   mesh::UnloadedMesh result;
   result.mesh.points = points_of(grid->GetPoints()->GetData(), n_points, loaded_vtu);
   result.unloaded = points_of(grid->GetPointData()->GetArray("unloaded"), n_points, loaded_vtu);
-  vtkDataArray* tissue = grid->GetCellData()->GetArray("tissue");
-  if (tissue == nullptr || tissue->GetNumberOfComponents() != 1)
-    refuse(loaded_vtu, "has no cell data 'tissue'");
+  result.mesh.tissue = cell_numbers(*grid, "tissue", loaded_vtu);
   for (vtkIdType cell = 0; cell < n_cells; ++cell) {
     vtkIdType n = 0;
     const vtkIdType* corners = nullptr;
@@ -75,8 +86,9 @@ mesh::UnloadedMesh read_mesh(const std::filesystem::path& loaded_vtu) {
     result.mesh.cells.push_back({});
     for (unsigned a = 0; a < 4; ++a)
       result.mesh.cells.back()[a] = static_cast<unsigned>(corners[a]);
-    result.mesh.tissue.push_back(static_cast<std::uint8_t>(tissue->GetComponent(cell, 0)));
   }
+  result.mesh.boundary_faces =
+      mesh::boundary_faces(result.mesh, cell_numbers(*grid, "boundary", loaded_vtu));
   return result;
 }
 

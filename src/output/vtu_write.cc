@@ -13,6 +13,7 @@
 
 #include "prosup/core/error.h"
 #include "prosup/core/text_file.h"
+#include "prosup/mesh/boundary_codes.h"
 #include "prosup/mesh/deformation.h"
 #include "prosup/mesh/quality.h"
 #include "prosup/output/vtu.h"
@@ -55,8 +56,11 @@ void add_vectors(vtkUnstructuredGrid& grid, const char* name, const std::vector<
 /// `nodes` are those of the configuration whose shapes the quality is of.
 void add_cell_data(vtkUnstructuredGrid& grid, const UnloadedMesh& mesh,
                    const std::vector<Point<3>>& nodes, const std::string& name) {
-  vtkNew<vtkUnsignedCharArray> tissue;
+  vtkNew<vtkUnsignedCharArray> tissue, boundary;
   tissue->SetName("tissue");
+  boundary->SetName("boundary");
+  for (const std::uint8_t code : mesh::boundary_codes(mesh.mesh))
+    boundary->InsertNextValue(code);
   vtkNew<vtkDoubleArray> jacobian, quality;
   jacobian->SetName("J");
   quality->SetName("quality");
@@ -72,6 +76,7 @@ void add_cell_data(vtkUnstructuredGrid& grid, const UnloadedMesh& mesh,
         mesh::radius_ratio({nodes[c[0]], nodes[c[1]], nodes[c[2]], nodes[c[3]]}));
   }
   grid.GetCellData()->AddArray(tissue);
+  grid.GetCellData()->AddArray(boundary);
   grid.GetCellData()->AddArray(jacobian);
   grid.GetCellData()->AddArray(quality);
 }

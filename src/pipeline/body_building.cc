@@ -3,6 +3,7 @@
 #include <deal.II/base/mpi.h>
 
 #include "prosup/core/collective.h"
+#include "prosup/mesh/deformation.h"
 #include "prosup/mesh/distributed.h"
 
 namespace prosup::pipeline {
@@ -22,16 +23,6 @@ void transfer_mesh(mesh::TetMesh& mesh, int from, int to, MPI_Comm communicator)
   transfer(mesh.cells, from, to, communicator);
   transfer(mesh.tissue, from, to, communicator);
   transfer(mesh.boundary_faces, from, to, communicator);
-}
-
-/// Unloaded positions of the nodes of a mesh from those at its cells' corners.
-std::vector<Point<3>> at_nodes(const mesh::TetMesh& mesh,
-                               const std::vector<std::array<Point<3>, 4>>& at_cells) {
-  std::vector<Point<3>> positions(mesh.points);
-  for (std::size_t cell = 0; cell < at_cells.size(); ++cell)
-    for (unsigned a = 0; a < 4; ++a)
-      positions[mesh.cells[cell][a]] = at_cells[cell][a];
-  return positions;
 }
 
 } // namespace
@@ -60,7 +51,7 @@ MeshPair build_bodies(const Stages& stages, Inputs& inputs, BodyPair& pair, cons
 mesh::UnloadedMesh gather_unloaded(const mesh::TetMesh& mesh,
                                    const unloading::Unloading& unloading) {
   const auto at_cells = unloading.body().gather_at_cells(unloading.unloaded());
-  return {mesh, at_nodes(mesh, at_cells)};
+  return {mesh, mesh::at_nodes(mesh, at_cells)};
 }
 
 std::array<mesh::UnloadedMesh, 2> gather_unloaded(const MeshPair& meshes, const BodyPair& pair) {
@@ -77,7 +68,7 @@ std::array<mesh::UnloadedMesh, 2> gather_unloaded(const MeshPair& meshes, const 
   std::array<mesh::UnloadedMesh, 2> unloaded;
   if (rank == 0)
     for (const State state : {prone, supine})
-      unloaded[state] = {meshes[state], at_nodes(meshes[state], at_cells[state])};
+      unloaded[state] = {meshes[state], mesh::at_nodes(meshes[state], at_cells[state])};
   return unloaded;
 }
 
@@ -90,6 +81,17 @@ std::string describe(const std::string& name, const unloading::UnloadingResult& 
   return format("  %s: %u steps, residual %.1e, max |x-u-X| %.3f mm, min J %.2f%s", name.c_str(),
                 result.n_steps, result.residual, result.distance, result.min_jacobian,
                 result.converged ? "" : " (NOT settled)");
+}
+
+std::string describe(const std::string& name, const mechanics::QuasiStaticResult& result) {
+  return format("  %s: %u Newton steps in %u load steps, residual %.1e, min J %.2f%s", name.c_str(),
+                result.n_newton_steps, result.n_load_steps, result.residual, result.min_jacobian,
+                result.converged ? "" : " (NOT converged)");
+}
+
+Tensor<1, 3> body_force(const Stages& stages, unsigned state) {
+  const Tensor<1, 3>& direction = stages.scene.gravity[state];
+  return stages.unloading.density * stages.unloading.gravity / direction.norm() * direction;
 }
 
 } // namespace prosup::pipeline

@@ -1,6 +1,7 @@
 #include "prosup/pipeline/case_parameters.h"
 
 #include "prosup/core/error.h"
+#include "prosup/core/parameters.h"
 #include "prosup/similarity/metric.h"
 
 namespace prosup::pipeline {
@@ -47,7 +48,7 @@ void CaseParameters::declare_parameters(ParameterHandler& prm) {
   prm.add_parameter("Landmarks", landmarks,
                     "Landmarks for evaluation only, CSV: id,prone_x,...,supine_z. May be empty.",
                     Patterns::Anything());
-  prm.add_parameter("State", state_, "What the commands mesh and unload work on.",
+  prm.add_parameter("State", state_, "What the commands mesh, unload and load work on.",
                     Patterns::Selection("prone|supine"));
   prm.add_parameter(
       "Chest", chest_,
@@ -67,14 +68,9 @@ void CaseParameters::parse_parameters(ParameterHandler&) {
 }
 
 void CaseParameters::resolve(const std::filesystem::path& folder, ParameterHandler& prm) {
-  prm.enter_subsection(get_section_name());
-  for (const char* entry :
-       {"Prone image", "Prone labels", "Supine image", "Supine labels", "Landmarks"}) {
-    const std::filesystem::path file = prm.get(entry);
-    if (!file.empty() && file.is_relative())
-      prm.set(entry, (folder / file).lexically_normal().string());
-  }
-  prm.leave_subsection();
+  resolve_files(prm, get_section_name(),
+                {"Prone image", "Prone labels", "Supine image", "Supine labels", "Landmarks"},
+                folder);
 }
 
 void CaseParameters::require_pair() const {

@@ -23,6 +23,14 @@ namespace {
 
 constexpr int success = 0, failure = 1, not_settled = 2;
 
+/// The commands that take a parameter file, and what they do.
+constexpr std::pair<const char*, const char*> commands_with_parameters[] = {
+    {"register", "Both images and masks to the registered unloaded pair"},
+    {"unload", "One mask (and image) to its unloaded configuration"},
+    {"load", "One unloaded mask (and image) or mesh to its loaded configuration"},
+    {"mesh", "One mask to a mesh, with a quality report"},
+    {"phantom", "Images of a numerical phantom, with their truth"}};
+
 /// What stands on the command line of the commands that take a parameter file.
 struct Options {
   fs::path file;
@@ -52,7 +60,7 @@ void add_case_options(CLI::App& command, Options& options) {
       {"--supine-gravity", "Supine gravity", "Direction of gravity, x,y,z (LPS)", false},
       {"--chest", "Chest", "Motion on the chest wall: fixed", false},
       {"--method", "Method", "Numerical method: fe", false},
-      {"--state", "State", "What mesh and unload work on: prone or supine", false},
+      {"--state", "State", "What mesh, unload and load work on: prone or supine", false},
   };
   for (const CaseOption& c : case_options)
     command.add_option_function<std::string>(
@@ -88,9 +96,10 @@ bool prepare(const Options& options, Stages& stages, dealii::ParameterHandler& p
   overrides.insert(overrides.end(), options.overrides.begin(), options.overrides.end());
   on_every_rank(world, [&] {
     read_parameters(parameters, options.file, overrides);
-    stages.scene.resolve(options.file.empty() ? fs::current_path()
-                                              : fs::absolute(options.file).parent_path(),
-                         parameters);
+    const fs::path folder =
+        options.file.empty() ? fs::current_path() : fs::absolute(options.file).parent_path();
+    stages.scene.resolve(folder, parameters);
+    stages.loading.resolve(folder, parameters);
   });
   if (options.write_prm.empty())
     return true;
@@ -108,6 +117,10 @@ int run_with_parameters(const std::string& command, const Options& options, MPI_
     settled = RegisterPipeline(stages, parameters, world).run(options.output);
   else if (command == "unload")
     settled = run_unload(stages, parameters, options.output, world);
+  else if (command == "load")
+    settled = run_load(stages, parameters, options.output, world);
+  else if (command == "phantom")
+    run_phantom(stages, parameters, options.output, world);
   else
     run_mesh(stages, parameters, options.output, world);
   return settled ? success : not_settled;
@@ -160,13 +173,8 @@ int run_command_line(int argc, char** argv, MPI_Comm world) {
   app.require_subcommand(1);
   Options options;
   MapRequest map;
-  add_common_options(
-      *app.add_subcommand("register", "Both images and masks to the registered unloaded pair"),
-      options);
-  add_common_options(
-      *app.add_subcommand("unload", "One mask (and image) to its unloaded configuration"), options);
-  add_common_options(*app.add_subcommand("mesh", "One mask to a mesh, with a quality report"),
-                     options);
+  for (const auto& [name, text] : commands_with_parameters)
+    add_common_options(*app.add_subcommand(name, text), options);
   add_map_options(*app.add_subcommand("map", "Points from one state to another"), map);
   try {
     app.parse(argc, argv);

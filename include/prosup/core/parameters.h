@@ -21,6 +21,11 @@ using Override = std::string;
 void read_parameters(dealii::ParameterHandler& parameters, const std::filesystem::path& file,
                      const std::vector<Override>& overrides);
 
+/// Makes the file names in these entries of a section absolute: a name that is
+/// not is relative to `folder`; an empty one stays empty.
+void resolve_files(dealii::ParameterHandler& parameters, const std::string& section,
+                   const std::vector<std::string>& entries, const std::filesystem::path& folder);
+
 /// Writes all parameters with values, units and documentation to `file`.
 void write_parameters(const dealii::ParameterHandler& parameters,
                       const std::filesystem::path& file);

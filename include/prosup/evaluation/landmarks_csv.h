@@ -15,6 +15,11 @@ namespace prosup::evaluation {
 void write_landmarks(const std::vector<MappedLandmark>& landmarks,
                      const std::filesystem::path& file);
 
+/// Writes landmarks as read_landmarks() reads them, to 1e-6 mm; with the
+/// unloaded positions if all are known.
+/// @throws Error if a coordinate is not finite or the file cannot be written.
+void write_landmarks(const std::vector<Landmark>& landmarks, const std::filesystem::path& file);
+
 } // namespace prosup::evaluation
 
 #endif

@@ -1,7 +1,9 @@
 #ifndef PROSUP_MESH_DEFORMATION_H
 #define PROSUP_MESH_DEFORMATION_H
 
+#include <array>
 #include <cstddef>
+#include <vector>
 
 #include "prosup/mesh/tet_mesh.h"
 
@@ -12,6 +14,11 @@ double jacobian(const UnloadedMesh& mesh, std::size_t cell);
 
 /// Smallest J of all cells.
 double min_jacobian(const UnloadedMesh& mesh);
+
+/// Values at the nodes of a mesh from those at the corners of its cells. Nodes
+/// of no cell get their position in the mesh.
+std::vector<Point<3>> at_nodes(const TetMesh& mesh,
+                               const std::vector<std::array<Point<3>, 4>>& at_cells);
 
 } // namespace prosup::mesh
 

@@ -61,7 +61,11 @@ struct RegistrationImages {
 void write_registration_slices(const RegistrationImages& images,
                                const std::filesystem::path& folder);
 
-/// Slices of a loaded image beside its unloaded one.
+/// Slices of an unloaded image, whose mask is given, beside its loaded one.
+void write_loading_slices(const image::ScalarImage& unloaded, const image::LabelImage& mask,
+                          const image::ScalarImage& loaded, const std::filesystem::path& folder);
+
+/// Slices of a loaded image, whose mask is given, beside its unloaded one.
 void write_unloading_slices(const image::ScalarImage& loaded, const image::LabelImage& mask,
                             const image::ScalarImage& unloaded,
                             const std::filesystem::path& folder);

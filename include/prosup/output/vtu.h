@@ -13,16 +13,16 @@ namespace prosup::output {
 /// (unloaded) and 1 (loaded). Lengths are in mm, LPS.
 ///
 /// Point data: `displacement` u = x - X, and the position in the other
-/// configuration (`unloaded` or `loaded`). Cell data: `tissue` (label), `J`
-/// (loaded by unloaded volume) and `quality` (the radius ratio of the cell
-/// in the configuration of the file, see mesh::radius_ratio()).
+/// configuration (`unloaded` or `loaded`). Cell data: `tissue` (label),
+/// `boundary` (mesh::boundary_codes()), `J` (loaded by unloaded volume) and
+/// `quality` (the radius ratio of the cell in the configuration of the file, see
+/// mesh::radius_ratio()).
 /// @throws Error if the mesh is inconsistent, a number is not finite or a file
 /// cannot be written.
 void write_mesh(const mesh::UnloadedMesh& mesh, const std::filesystem::path& folder,
                 const std::string& name);
 
 /// Reads back what write_mesh() wrote as `<name>_loaded.vtu`, in full precision.
-/// Boundary faces are not kept in the file.
 /// @throws Error if the file is missing, damaged or holds another kind of mesh.
 mesh::UnloadedMesh read_mesh(const std::filesystem::path& loaded_vtu);
 

@@ -35,6 +35,10 @@ void transfer_unloaded(mesh::UnloadedMesh& mesh, int from, int to, MPI_Comm comm
 
 /// One line on how far the unloading of `name` has come.
 std::string describe(const std::string& name, const unloading::UnloadingResult& result);
+std::string describe(const std::string& name, const mechanics::QuasiStaticResult& result);
+
+/// rho g of a state (0 prone, 1 supine), g/(mm^2 s^2).
+dealii::Tensor<1, 3> body_force(const Stages& stages, unsigned state);
 
 } // namespace prosup::pipeline
 

@@ -28,7 +28,7 @@ public:
   /// @throws Error if the labels of the chosen state are not given.
   void require_labels(unsigned state) const;
 
-  /// 0 prone, 1 supine: what `mesh` and `unload` work on.
+  /// 0 prone, 1 supine: what `mesh`, `unload` and `load` work on.
   unsigned state() const { return state_ == "prone" ? 0 : 1; }
 
   std::array<std::string, 2> images; ///< prone, supine

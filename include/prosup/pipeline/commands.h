@@ -20,6 +20,15 @@ void run_mesh(const Stages& stages, const dealii::ParameterHandler& parameters,
 bool run_unload(const Stages& stages, const dealii::ParameterHandler& parameters,
                 const std::filesystem::path& output, MPI_Comm world);
 
+/// `prosup load`: one unloaded state to its loaded configuration. Returns
+/// whether it settled.
+bool run_load(const Stages& stages, const dealii::ParameterHandler& parameters,
+              const std::filesystem::path& output, MPI_Comm world);
+
+/// `prosup phantom`: images of a numerical phantom, with their truth.
+void run_phantom(const Stages& stages, const dealii::ParameterHandler& parameters,
+                 const std::filesystem::path& output, MPI_Comm world);
+
 /// What `prosup map` is asked for.
 struct MapRequest {
   std::filesystem::path result; ///< folder of a finished registration

@@ -6,9 +6,12 @@
 #include <vector>
 
 #include "prosup/mechanics/material.h"
+#include "prosup/mechanics/quasi_static.h"
 #include "prosup/mesh/mask_mesher.h"
+#include "prosup/phantom/phantom_parameters.h"
 #include "prosup/pipeline/case_parameters.h"
 #include "prosup/pipeline/inputs.h"
+#include "prosup/pipeline/loading_parameters.h"
 #include "prosup/pipeline/result_parameters.h"
 #include "prosup/registration/image_force_registration.h"
 #include "prosup/registration/material_update.h"
@@ -25,10 +28,13 @@ struct Stages {
   InputReader inputs{mesher};
   mechanics::TissueMaterial material;
   unloading::UnloadingParameters unloading;
+  mechanics::QuasiStaticParameters quasi_static;
+  LoadingParameters loading;
   registration::SimilarityParameters similarity;
   registration::MaterialUpdate material_update;
   registration::ImageForceRegistration image_forces;
   ResultParameters results;
+  phantom::PhantomParameters phantom;
 };
 
 } // namespace prosup::pipeline

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "expect_error.h"
+#include "prosup/evaluation/landmarks_csv.h"
 #include "temporary_folder.h"
 #include "text_file.h"
 
@@ -21,6 +22,22 @@ TEST(Landmarks, AreReadWithUnloadedPosition) {
   EXPECT_EQ(landmarks[0].prone, Point<3>(1., 2., 3.));
   EXPECT_EQ(landmarks[0].supine, Point<3>(4., 5., 6.));
   EXPECT_EQ(landmarks[0].unloaded.value(), Point<3>(-7., -8., -9.5));
+}
+
+TEST(Landmarks, AreReadAsTheyWereWritten) {
+  const testing::TemporaryFolder folder;
+  std::vector<Landmark> landmarks{{"a,b", {1., 2., 3.}, {-4., 5.25, 6.}, Point<3>(7., 8., -9.125)},
+                                  {"c", {1., 1., 1.}, {2., 2., 2.}, Point<3>(3., 3., 3.)}};
+  write_landmarks(landmarks, folder / "l.csv");
+  const auto read = read_landmarks(folder / "l.csv");
+  ASSERT_EQ(read.size(), 2u);
+  EXPECT_EQ(read[0].id, "a,b");
+  EXPECT_EQ(read[0].prone, landmarks[0].prone);
+  EXPECT_EQ(read[0].supine, landmarks[0].supine);
+  EXPECT_EQ(read[0].unloaded, landmarks[0].unloaded);
+  landmarks[1].unloaded.reset();
+  write_landmarks(landmarks, folder / "l.csv");
+  EXPECT_FALSE(read_landmarks(folder / "l.csv")[0].unloaded);
 }
 
 // A spreadsheet's file: byte order mark, carriage returns, spaces, another order

@@ -20,9 +20,19 @@ mesh::UnloadedMesh irrational_mesh() {
 // Bitwise: `map` from a result folder must give what the registration gave.
 TEST(Vtu, RoundTripIsExact) {
   const testing::TemporaryFolder folder;
-  const auto mesh = irrational_mesh();
+  auto mesh = irrational_mesh();
+  // Of the cells in the corner of the box: faces in its sides.
+  const auto &c = mesh.mesh.cells[0], &d = mesh.mesh.cells[1], &e = mesh.mesh.cells[3];
+  mesh.mesh.boundary_faces = {{{c[0], c[2], c[1]}, mesh::BoundaryPart::skin},
+                              {{d[0], d[2], d[1]}, mesh::BoundaryPart::chest_wall},
+                              {{e[0], e[1], e[3]}, mesh::BoundaryPart::cut_plane}};
   write_mesh(mesh, folder / "", "prone");
   const auto read = read_mesh(folder / "prone_loaded.vtu");
+  ASSERT_EQ(read.mesh.boundary_faces.size(), 3u);
+  for (unsigned f = 0; f < 3; ++f) {
+    EXPECT_EQ(read.mesh.boundary_faces[f].nodes, mesh.mesh.boundary_faces[f].nodes);
+    EXPECT_EQ(read.mesh.boundary_faces[f].part, mesh.mesh.boundary_faces[f].part);
+  }
   EXPECT_EQ(read.mesh.points, mesh.mesh.points);
   EXPECT_EQ(read.unloaded, mesh.unloaded);
   EXPECT_EQ(read.mesh.cells, mesh.mesh.cells);

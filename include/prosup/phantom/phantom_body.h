@@ -1,0 +1,51 @@
+#ifndef PROSUP_PHANTOM_PHANTOM_BODY_H
+#define PROSUP_PHANTOM_PHANTOM_BODY_H
+
+#include <memory>
+
+#include "prosup/mechanics/quasi_static.h"
+#include "prosup/mesh/tet_mesh.h"
+#include "prosup/phantom/anatomy.h"
+#include "prosup/phantom/phantom_parameters.h"
+
+namespace prosup::phantom {
+
+/// What acts on the phantom in one of its loaded states.
+struct Load {
+  dealii::Tensor<1, 3> body_force; ///< rho g, g/(mm^2 s^2)
+  double push_pressure = 0.;       ///< on the left side, Pa
+};
+
+/// A loaded state: the linear cells between the nodes of the quadratic ones, in
+/// which the true displacement is interpolated. On rank 0; empty elsewhere.
+struct LoadedPhantom {
+  mesh::UnloadedMesh mesh;
+  mechanics::QuasiStaticResult result;
+};
+
+/// The phantom as a body of quadratic tetrahedra, whose nodes on skin and chest
+/// lie exactly in these surfaces. Collective on its communicator.
+class PhantomBody {
+public:
+  PhantomBody(const PhantomParameters& parameters, const Anatomy& anatomy, MPI_Comm communicator);
+
+  const mechanics::Body& body() const { return *body_; }
+
+  /// Equilibrium under a load. @throws DivergenceError if there is none to be found.
+  LoadedPhantom load(const Load& load, const mechanics::QuasiStaticParameters& solver,
+                     const Log& log) const;
+
+private:
+  void put_on_surfaces();
+  std::vector<mechanics::LameParameters> material() const;
+  mechanics::NodeVector push(double pressure) const;
+
+  const PhantomParameters& parameters_;
+  mesh::TetMesh mesh_; // refined, on rank 0
+  std::unique_ptr<mechanics::Body> body_;
+  mechanics::NodeVector unloaded_;
+};
+
+} // namespace prosup::phantom
+
+#endif

@@ -1,0 +1,29 @@
+#ifndef PROSUP_PIPELINE_LOADING_PARAMETERS_H
+#define PROSUP_PIPELINE_LOADING_PARAMETERS_H
+
+#include <deal.II/base/parameter_acceptor.h>
+
+#include <filesystem>
+#include <string>
+
+namespace prosup::pipeline {
+
+/// Parameters of the command load, section "Loading".
+class LoadingParameters : public dealii::ParameterAcceptor {
+public:
+  LoadingParameters();
+  void declare_parameters(dealii::ParameterHandler& prm) override;
+
+  bool is_explicit() const { return solver_ == "explicit"; }
+  /// Makes the file name absolute, as CaseParameters::resolve().
+  void resolve(const std::filesystem::path& folder, dealii::ParameterHandler& prm);
+
+  std::string mesh; ///< VTU file with an unloaded configuration; empty: mesh the labels
+
+private:
+  std::string solver_ = "explicit";
+};
+
+} // namespace prosup::pipeline
+
+#endif

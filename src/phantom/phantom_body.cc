@@ -1,0 +1,133 @@
+#include "prosup/phantom/phantom_body.h"
+
+#include <cmath>
+
+#include "prosup/core/collective.h"
+#include "prosup/mesh/deformation.h"
+#include "prosup/mesh/distributed.h"
+#include "prosup/mesh/mask_mesher.h"
+#include "prosup/mesh/refine.h"
+#include "prosup/phantom/chest_support.h"
+#include "prosup/phantom/grids.h"
+
+namespace prosup::phantom {
+
+using namespace dealii;
+using mechanics::node_value;
+using mechanics::NodeVector;
+
+namespace {
+
+constexpr double edges_per_voxel = 5.; // of the labels that the mesh is made of
+
+constexpr types::boundary_id id(mesh::BoundaryPart part) {
+  return static_cast<types::boundary_id>(part);
+}
+
+constexpr types::boundary_id chest_wall = id(mesh::BoundaryPart::chest_wall),
+                             cut_plane = id(mesh::BoundaryPart::cut_plane),
+                             skin = id(mesh::BoundaryPart::skin);
+
+mesh::TetMesh make_mesh(const PhantomParameters& parameters, const Anatomy& anatomy) {
+  image::LabelImage labels(
+      meshing_grid(parameters.geometry, parameters.edge_length / edges_per_voxel));
+  const auto& size = labels.grid.size;
+  for (std::size_t k = 0; k < size[2]; ++k)
+    for (std::size_t j = 0; j < size[1]; ++j)
+      for (std::size_t i = 0; i < size[0]; ++i)
+        labels(i, j, k) = anatomy.label(labels.grid.physical(double(i), double(j), double(k)));
+  mesh::MaskMesher mesher;
+  mesher.edge_length = parameters.edge_length;
+  mesher.tissue_labels = {fat, gland};
+  mesher.chest_label = chest;
+  return mesher.run(labels);
+}
+
+void set_node(NodeVector& vector, unsigned node, const Tensor<1, 3>& value) {
+  for (unsigned c = 0; c < 3; ++c)
+    vector.local_element(3 * node + c) = value[c];
+}
+
+} // namespace
+
+PhantomBody::PhantomBody(const PhantomParameters& parameters, const Anatomy& anatomy,
+                         MPI_Comm communicator)
+    : parameters_(parameters) {
+  mesh::TetMesh mesh;
+  on_root(communicator, [&] {
+    mesh = make_mesh(parameters, anatomy);
+    mesh_ = mesh::refined(mesh);
+  });
+  body_ =
+      std::make_unique<mechanics::Body>(*mesh::make_distributed(mesh, communicator),
+                                        mechanics::Element{mechanics::ElementType::quadratic,
+                                                           mechanics::Precision::double_precision});
+  put_on_surfaces();
+}
+
+void PhantomBody::put_on_surfaces() {
+  unloaded_ = body_->vertex_positions();
+  unloaded_.update_ghost_values();
+  const std::vector<bool> on_skin = body_->nodes_on_boundary({skin}),
+                          on_chest = body_->nodes_on_boundary({chest_wall});
+  for (unsigned node = 0; node < body_->n_local_nodes(); ++node) {
+    const Point<3> X(node_value(unloaded_, node));
+    if (on_chest[node])
+      set_node(unloaded_, node, parameters_.geometry.on_chest(X));
+    else if (on_skin[node])
+      set_node(unloaded_, node, parameters_.geometry.on_skin(X));
+  }
+}
+
+std::vector<mechanics::LameParameters> PhantomBody::material() const {
+  std::vector<mechanics::LameParameters> material;
+  for (const unsigned tissue : body_->material_ids()) {
+    const double factor = tissue == gland ? parameters_.gland_factor : 1.;
+    material.push_back(mechanics::lame_parameters(factor * parameters_.fat_shear_modulus,
+                                                  parameters_.poisson_ratio));
+  }
+  return material;
+}
+
+NodeVector PhantomBody::push(double pressure) const {
+  const Geometry& geometry = parameters_.geometry;
+  const Point<3> centre = geometry.on_skin({geometry.sigma, 0., 0.});
+  const std::vector<double> area = body_->lumped_area({skin}, unloaded_);
+  NodeVector force;
+  body_->initialize(force);
+  for (unsigned node = 0; node < body_->n_owned_nodes(); ++node) {
+    const double distance = (node_value(unloaded_, node) - centre).norm() / parameters_.push_radius;
+    force.local_element(3 * node) = -pressure * area[node] * std::exp(-0.5 * distance * distance);
+  }
+  return force;
+}
+
+LoadedPhantom PhantomBody::load(const Load& load, const mechanics::QuasiStaticParameters& solver,
+                                const Log& log) const {
+  mechanics::QuasiStatic quasi_static(solver, *body_, log);
+  quasi_static.set_material(material());
+  quasi_static.set_body_force(load.body_force);
+  if (load.push_pressure != 0.)
+    quasi_static.set_external_force(push(load.push_pressure));
+  const bool slides = parameters_.chest_slides();
+  quasi_static.set_fixed_nodes(
+      body_->nodes_on_boundary(slides ? std::set{cut_plane} : std::set{chest_wall, cut_plane}));
+  const ChestSupport support(parameters_.geometry, body_->lumped_area({chest_wall}, unloaded_),
+                             parameters_.contact_stiffness, parameters_.fascia_stiffness);
+  if (slides)
+    quasi_static.set_nodal_force(&support);
+
+  NodeVector displacement;
+  body_->initialize(displacement);
+  displacement.update_ghost_values();
+  LoadedPhantom loaded;
+  loaded.result = quasi_static.load(unloaded_, displacement);
+  loaded.mesh.mesh = mesh_;
+  loaded.mesh.unloaded = mesh::at_nodes(mesh_, body_->gather_at_cells(unloaded_));
+  displacement += unloaded_;
+  displacement.update_ghost_values();
+  loaded.mesh.mesh.points = mesh::at_nodes(mesh_, body_->gather_at_cells(displacement));
+  return loaded;
+}
+
+} // namespace prosup::phantom

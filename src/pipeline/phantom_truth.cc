@@ -1,0 +1,89 @@
+#include "phantom_truth.h"
+
+#include <nlohmann/json.hpp>
+
+#include "prosup/core/text_file.h"
+#include "prosup/core/version.h"
+
+namespace prosup::pipeline {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json as_json(const dealii::Tensor<1, 3>& v) {
+  return {v[0], v[1], v[2]};
+}
+
+Json mechanics_of(const phantom::PhantomParameters& phantom) {
+  Json json;
+  json["material"] = {
+      {"model", "neo-Hookean: W = mu/2 (tr C - 3) - mu ln J + lambda/2 (ln J)^2"},
+      {"mu_fat_Pa", phantom.fat_shear_modulus},
+      {"mu_gland_Pa", phantom.gland_factor * phantom.fat_shear_modulus},
+      {"nu", phantom.poisson_ratio},
+      {"lambda_fat_Pa",
+       mechanics::lame_parameters(phantom.fat_shear_modulus, phantom.poisson_ratio).lambda}};
+  json["boundary"] = {{"cut_planes", "fixed"},
+                      {"skin", "free"},
+                      {"chest", phantom.chest_slides() ? "sliding" : "fixed"}};
+  if (phantom.chest_slides()) {
+    json["boundary"]["contact_stiffness_Pa_per_mm"] = phantom.contact_stiffness;
+    json["boundary"]["fascia_stiffness_Pa_per_mm"] = phantom.fascia_stiffness;
+  }
+  if (phantom.push_pressure != 0.)
+    json["boundary"]["prone_push"] = {{"pressure_Pa", phantom.push_pressure},
+                                      {"radius_mm", phantom.push_radius}};
+  return json;
+}
+
+Json geometry_of(const phantom::PhantomParameters& phantom) {
+  const phantom::Geometry& shape = phantom.geometry;
+  return {{"width_mm", shape.width},
+          {"length_mm", shape.length},
+          {"chest_radius_mm", shape.chest_radius},
+          {"layer_mm", shape.layer},
+          {"height_mm", shape.height},
+          {"sigma_mm", shape.sigma},
+          {"volume_ml", shape.volume() / 1000.},
+          {"gland_fraction", phantom.gland_fraction}};
+}
+
+Json images_of(const phantom::PhantomParameters& phantom) {
+  Json json;
+  for (const unsigned state : {0u, 1u})
+    json[similarity::state_names[state]] = {
+        {"modality", phantom::modality_names()[static_cast<unsigned>(phantom.modality(state))]},
+        {"noise", phantom.noise(state)}};
+  json["voxel_edge_mm"] = phantom.voxel_edge;
+  json["bias_field"] = phantom.bias_field;
+  json["label_jitter_mm"] = phantom.label_jitter;
+  return json;
+}
+
+} // namespace
+
+void write_phantom_truth(const Stages& stages, const evaluation::ErrorStatistics& initial_error,
+                         const std::array<mechanics::QuasiStaticResult, 2>& results,
+                         const std::filesystem::path& file) {
+  const phantom::PhantomParameters& phantom = stages.phantom;
+  Json json = mechanics_of(phantom);
+  json["version"] = version();
+  json["seed"] = phantom.seed;
+  json["density_g_per_mm3"] = stages.unloading.density;
+  json["gravity_mm_per_s2"] = stages.unloading.gravity;
+  json["geometry"] = geometry_of(phantom);
+  json["images"] = images_of(phantom);
+  json["mesh"] = {{"element", "quadratic tetrahedra"}, {"edge_length_mm", phantom.edge_length}};
+  for (const unsigned state : {0u, 1u}) {
+    const char* name = similarity::state_names[state];
+    json["gravity_direction_LPS"][name] = as_json(stages.scene.gravity[state]);
+    json["min_jacobian"][name] = results[state].min_jacobian;
+  }
+  json["initial_TRE_mm"] = {
+      {"mean", initial_error.mean}, {"std", initial_error.std}, {"max", initial_error.max}};
+  json["coordinates"] = "LPS mm";
+  write_text_file(json.dump(2) + "\n", file);
+}
+
+} // namespace prosup::pipeline

@@ -1,0 +1,68 @@
+#ifndef PROSUP_PIPELINE_SINGLE_STATE_JOB_H
+#define PROSUP_PIPELINE_SINGLE_STATE_JOB_H
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "prosup/output/summary.h"
+#include "prosup/pipeline/body_building.h"
+#include "prosup/pipeline/commands.h"
+#include "prosup/pipeline/stage_timer.h"
+
+namespace prosup::pipeline {
+
+/// What unload and load share: one state from its labels to a mesh, a
+/// simulation, and a result folder; on all ranks of a communicator.
+class SingleStateJob {
+public:
+  virtual ~SingleStateJob() = default;
+
+  /// @returns whether the simulation settled.
+  bool run(const dealii::ParameterHandler& parameters, const std::filesystem::path& output);
+
+protected:
+  /// `command` is its name and `simulation` what its main stage is called.
+  SingleStateJob(const Stages& stages, MPI_Comm world, std::string command, std::string simulation);
+
+  /// Reads labels and image, on rank 0.
+  virtual void read();
+  /// The mesh to start with, on rank 0.
+  virtual mesh::TetMesh make_mesh() { return stages_.mesher.run(labels_); }
+  /// Both configurations of the body (on rank 0) from the mesh.
+  virtual mesh::UnloadedMesh simulate(const mesh::TetMesh& mesh) = 0;
+  /// Fields and images of `mesh_`, on rank 0.
+  virtual void write_images(const std::filesystem::path& folder) const = 0;
+
+  std::unique_ptr<mechanics::Body> make_body(const mesh::TetMesh& mesh) const;
+  std::vector<mechanics::LameParameters> material(const mechanics::Body& body) const;
+
+  /// Writes the field from the unloaded to the loaded configuration of a mesh.
+  image::VectorImage write_field(const mesh::UnloadedMesh& mesh,
+                                 const std::filesystem::path& file) const;
+  /// The original image on the grid of a field, written if there is one.
+  std::optional<image::ScalarImage> write_warped(const image::VectorImage& field,
+                                                 const std::filesystem::path& file) const;
+
+  const Stages& stages_;
+  const unsigned state_;
+  const std::string name_; ///< of the state
+  MPI_Comm world_;
+  const Log log_;
+  std::optional<OriginalImage> original_;
+  mesh::UnloadedMesh mesh_;
+  unsigned n_steps_ = 0;
+  bool converged_ = false;
+
+private:
+  void write(const dealii::ParameterHandler& parameters, const std::filesystem::path& folder) const;
+  output::Summary summary(double memory) const;
+
+  const std::string command_, simulation_;
+  StageTimer timer_;
+  image::LabelImage labels_;
+};
+
+} // namespace prosup::pipeline
+
+#endif

@@ -1,0 +1,47 @@
+#include "refused.h"
+
+using namespace prosup::testing;
+
+namespace {
+
+class Phantom : public Refused {
+protected:
+  Arguments phantom(const std::string& setting) const {
+    return {"phantom", PROSUP_PRM_FOLDER "/tests/phantom_small.prm", "--output", output(), "--set",
+            setting};
+  }
+};
+
+} // namespace
+
+TEST_F(Phantom, SizesThatContradictEachOther) {
+  for (const unsigned n_ranks : {1u, 2u})
+    expect_refused(phantom("Phantom/Chest radius=45"), {"Phantom/Chest radius", "45", "100"},
+                   n_ranks);
+}
+
+TEST_F(Phantom, ValuesOutOfRange) {
+  expect_refused(phantom("Phantom/Poisson ratio=0.5"), {"Poisson ratio", "0.5"});
+  expect_refused(phantom("Phantom/Gland fraction=1.2"), {"Gland fraction", "1.2"});
+  expect_refused(phantom("Phantom/Rotation=0,0,90"), {"Rotation", "90"});
+  expect_refused(phantom("Phantom/Prone modality=US"), {"Prone modality", "US", "MR"});
+  expect_refused(phantom("Phantom/Chest=floating"), {"Chest=floating", "sliding"});
+}
+
+TEST_F(Phantom, FieldOfViewThatShowsNothing) {
+  expect_refused(phantom("Phantom/Supine crop=40"), {"Phantom/Supine crop", "smaller"});
+}
+
+TEST_F(Phantom, TissueTooSoftForItsWeight) {
+  expect_refused(phantom("Phantom/Fat shear modulus=1") +
+                     Arguments{"--set", "Phantom/Mesh edge length=16", "--set",
+                               "Quasi-static/Maximum halvings=1", "--set",
+                               "Quasi-static/Maximum iterations=5"},
+                 {"load"}, 2);
+}
+
+TEST_F(Phantom, LoadOfAMeshThatIsNone) {
+  expect_refused({"load", "--output", output(), "--set", "Loading/Mesh=nowhere.vtu"},
+                 {"nowhere.vtu", "does not exist"});
+  expect_refused({"load", "--output", output()}, {"Prone labels", "--prone-labels"});
+}

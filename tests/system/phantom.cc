@@ -1,0 +1,153 @@
+#include <array>
+#include <cmath>
+
+#include "prosup/evaluation/landmarks.h"
+#include "prosup/image/image_io.h"
+#include "prosup/output/vtu.h"
+#include "small_registration.h"
+
+using namespace prosup;
+using namespace prosup::testing;
+
+namespace {
+
+constexpr const char* small_phantom = PROSUP_PRM_FOLDER "/tests/phantom_small.prm";
+
+/// A displacement field between its voxel centres, interpolated linearly.
+dealii::Point<3> moved(const image::VectorImage& field, const dealii::Point<3>& X) {
+  const auto index = field.grid.continuous_index(X);
+  dealii::Point<3> x = X;
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    double weight = 1.;
+    std::size_t voxel[3];
+    for (unsigned d = 0; d < 3; ++d) {
+      const double first = std::floor(index[d]), t = index[d] - first;
+      const bool upper = corner >> d & 1u;
+      voxel[d] = static_cast<std::size_t>(first) + upper;
+      weight *= upper ? t : 1. - t;
+    }
+    for (unsigned d = 0; d < 3; ++d)
+      x[d] += weight * field(voxel[0], voxel[1], voxel[2])[d];
+  }
+  return x;
+}
+
+bool has_neighbours(const image::VoxelGrid& grid, const dealii::Point<3>& X) {
+  const auto index = grid.continuous_index(X);
+  for (unsigned d = 0; d < 3; ++d)
+    if (index[d] < 0. || index[d] >= double(grid.size[d]) - 1.)
+      return false;
+  return true;
+}
+
+class PhantomCommand : public ::testing::Test {
+protected:
+  /// Makes the small phantom and returns the folder.
+  std::filesystem::path make(const std::string& name, const std::vector<std::string>& settings,
+                             unsigned n_ranks = 1) const {
+    std::vector<std::string> arguments{"phantom", small_phantom, "--output", folder_ / name};
+    for (const std::string& setting : settings)
+      arguments.insert(arguments.end(), {"--set", setting});
+    const ProgramRun run = run_prosup(arguments, n_ranks);
+    EXPECT_EQ(run.exit_code, 0) << run.transcript();
+    return folder_ / name;
+  }
+
+  const TemporaryFolder folder_;
+};
+
+} // namespace
+
+TEST_F(PhantomCommand, IsTheSameOnTwoRanks) {
+  const std::vector<std::string> finer{"Quasi-static/Tolerance=1e-10"};
+  const auto one = make("one", finer), two = make("two", finer, 2);
+  const auto a = evaluation::read_landmarks(one / "landmarks.csv"),
+             b = evaluation::read_landmarks(two / "landmarks.csv");
+  ASSERT_EQ(a.size(), 100u);
+  ASSERT_EQ(b.size(), a.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_LT(a[i].prone.distance(b[i].prone), 3e-6); // mm; the files hold 1e-6
+    EXPECT_LT(a[i].supine.distance(b[i].supine), 3e-6);
+    EXPECT_EQ(*a[i].unloaded, *b[i].unloaded);
+  }
+}
+
+TEST_F(PhantomCommand, FieldsLeadToTheLandmarks) {
+  const auto result = make("phantom", {"Phantom/Voxel edge=1.5"});
+  const auto landmarks = evaluation::read_landmarks(result / "landmarks.csv");
+  const auto prone = image::read_displacement(result / "unloaded_to_prone.nrrd"),
+             supine = image::read_displacement(result / "unloaded_to_supine.nrrd");
+  std::vector<double> errors;
+  double farthest = 0.;
+  for (const auto& landmark : landmarks) {
+    const auto& X = *landmark.unloaded;
+    if (!has_neighbours(prone.grid, X))
+      continue;
+    errors.push_back(moved(prone, X).distance(landmark.prone));
+    errors.push_back(moved(supine, X).distance(landmark.supine));
+    farthest = std::max(farthest, X.distance(landmark.prone));
+  }
+  ASSERT_GT(errors.size(), 150u);
+  EXPECT_GT(farthest, 4.); // mm, of motion
+  std::sort(errors.begin(), errors.end());
+  // Strains jump between the linear parts, where interpolation cuts the corner.
+  EXPECT_LT(errors[errors.size() * 9 / 10], 0.05); // mm
+  EXPECT_LT(errors.back(), 0.3);
+}
+
+TEST_F(PhantomCommand, WritesWhatACaseHolds) {
+  const auto result = make(
+      "phantom", {"Phantom/Chest=sliding", "Phantom/Supine modality=CT", "Phantom/Rotation=0,0,6",
+                  "Phantom/Supine offset=0.3,0.3,0.3", "Phantom/Push pressure=100",
+                  "Phantom/Label jitter=1", "Phantom/Bias field=0.1"});
+  for (const char* state : {"prone", "supine", "unloaded"}) {
+    const auto picture = image::read_image(result / (std::string(state) + ".nii.gz"));
+    const auto labels = image::read_labels(result / (std::string(state) + "_labels.nii.gz"));
+    image::check_labels_fit(picture, labels, state, "its labels");
+    for (const unsigned label : {1u, 2u, 3u})
+      image::require_label(labels, label, "tissue", state);
+  }
+  const Json truth = read_json(result / "truth.json");
+  EXPECT_EQ(truth.at("boundary").at("chest"), "sliding");
+  EXPECT_EQ(truth.at("images").at("supine").at("modality"), "CT");
+  EXPECT_GT(truth.at("initial_TRE_mm").at("mean").get<double>(), 1.);
+  EXPECT_TRUE(read_json(result / "summary.json").at("converged").get<bool>());
+}
+
+// What unload found is loaded back to where the breast was.
+TEST(Load, UndoesUnload) {
+  const TemporaryFolder folder;
+  const char* small = PROSUP_PRM_FOLDER "/tests/small.prm";
+  ASSERT_EQ(run_prosup({"unload", small, "--output", folder / "unload"}).exit_code, 0);
+  const std::string vtu = folder / "unload/prone_loaded.vtu";
+  const auto mesh = output::read_mesh(vtu);
+  for (const char* solver : {"explicit", "newton"}) {
+    const auto result = folder / solver;
+    const ProgramRun run = run_prosup({"load", "--output", result, "--set", "Loading/Mesh=" + vtu,
+                                       "--set", std::string("Loading/Solver=") + solver});
+    ASSERT_EQ(run.exit_code, 0) << run.transcript();
+    EXPECT_EQ(read_json(result / "summary.json").at("command"), "load");
+    const auto loaded = output::read_mesh(result / "prone_loaded.vtu");
+    ASSERT_EQ(loaded.mesh.points.size(), mesh.mesh.points.size());
+    double error = 0., motion = 0.;
+    for (std::size_t i = 0; i < mesh.unloaded.size(); ++i) {
+      EXPECT_EQ(loaded.unloaded[i], mesh.unloaded[i]);
+      error = std::max(error, loaded.mesh.points[i].distance(mesh.mesh.points[i]));
+      motion = std::max(motion, mesh.unloaded[i].distance(mesh.mesh.points[i]));
+    }
+    EXPECT_GT(motion, 5.); // mm
+    EXPECT_LT(error, 0.1); // mm; both stop at a residual of 2e-3
+  }
+}
+
+TEST(Load, LoadsLabelsAndTheirImage) {
+  const TemporaryFolder folder;
+  const auto result = folder / "load";
+  const ProgramRun run =
+      run_prosup({"load", PROSUP_PRM_FOLDER "/tests/small.prm", "--output", result}, 2);
+  ASSERT_EQ(run.exit_code, 0) << run.transcript();
+  const auto field = image::read_displacement(result / "prone_to_unloaded.nrrd");
+  EXPECT_TRUE(field.grid.coincides_with(image::read_image(result / "prone_loaded.nii.gz").grid));
+  EXPECT_TRUE(std::filesystem::exists(result / "unloaded_to_prone.nrrd"));
+  EXPECT_TRUE(std::filesystem::exists(result / "slices_axial.png"));
+}
