@@ -5,6 +5,7 @@
 #include <chrono>
 #include <limits>
 
+#include "prosup/core/error.h"
 #include "prosup/mechanics/quasi_static.h"
 #include "prosup/unloading/unloading.h"
 #include "setup.h"
@@ -57,6 +58,7 @@ struct Scene {
 
 struct Settled {
   unsigned n_steps = 0;
+  unsigned n_retries = 0;
   double seconds = 0.;
   bool reached = false;
 };
@@ -69,40 +71,35 @@ double max_distance(const NodeVector& a, const NodeVector& b, const mechanics::B
   return Utilities::MPI::max(largest, body.communicator());
 }
 
-/// Steps until the body stays near its settled state for a while.
+/// Steps until the body is near its settled state and stays there for a while.
 Settled settle(const Scene& scene, const unloading::UnloadingParameters& parameters, bool forward) {
-  constexpr unsigned while_near = 100;
+  constexpr unsigned steps_near = 100;
   unloading::Unloading simulation(parameters, scene.body, scene.gravity);
   if (forward)
     simulation.hold_reference();
   Settled result;
-  try {
-    result.seconds += Scene::seconds([&] { simulation.set_material(scene.material); });
-    double seconds_when_near = 0.;
-    for (unsigned n = 0, n_near = 0; n < most_steps; n += 10) {
-      result.seconds += Scene::seconds([&] { simulation.advance(10); });
-      const double distance =
-          forward ? max_distance(simulation.displacement(), scene.displacement, scene.body)
-                  : max_distance(simulation.unloaded(), scene.unloaded, scene.body);
-      if (getenv("DBG") && parameters.damping == "kinetic" && n % 200 == 0)
-        std::printf("%u %g\n", n, distance);
-      if (!(distance < near_enough)) {
-        n_near = 0;
-        continue;
-      }
-      if (n_near++ == 0) {
-        result.n_steps = n + 10;
-        seconds_when_near = result.seconds;
-      }
-      if (10 * n_near >= while_near) {
-        result.reached = true;
-        result.seconds = seconds_when_near;
-        return result;
-      }
+  const auto start = std::chrono::steady_clock::now();
+  simulation.set_observer([&](unsigned n_steps) {
+    const double distance =
+        forward ? max_distance(simulation.displacement(), scene.displacement, scene.body)
+                : max_distance(simulation.unloaded(), scene.unloaded, scene.body);
+    if (!(distance < near_enough)) {
+      result.n_steps = 0;
+      return true;
     }
-  } catch (const std::exception& e) {
-    if (getenv("DBG"))
-      std::printf("%s\n", e.what()); // diverged
+    if (result.n_steps == 0) {
+      result.n_steps = n_steps;
+      result.seconds =
+          std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    }
+    result.reached = n_steps >= result.n_steps + steps_near;
+    return !result.reached;
+  });
+  try {
+    simulation.set_material(scene.material);
+    result.n_retries = simulation.run().n_retries;
+  } catch (const DivergenceError&) {
+    result.reached = false;
   }
   return result;
 }
@@ -111,7 +108,9 @@ void print(const std::string& scheme, double fraction, const Settled& unloading,
            const Settled& loading) {
   const auto text = [](const Settled& s) {
     char buffer[64];
-    std::snprintf(buffer, sizeof buffer, "%u | %.2f", s.n_steps, s.seconds);
+    std::snprintf(buffer, sizeof buffer, "%u%s | %.2f", s.n_steps,
+                  s.n_retries > 0 ? (" (" + std::to_string(s.n_retries) + " retries)").c_str() : "",
+                  s.seconds);
     return s.reached ? std::string(buffer) : std::string("not settled | ");
   };
   std::printf("| %s | %.1f | %s | %s |\n", scheme.c_str(), fraction, text(unloading).c_str(),
@@ -131,6 +130,9 @@ int main(int argc, char** argv) {
   app.add_option("--poisson-ratio", poisson_ratio)->capture_default_str();
   return benchmarks::run_program(argc, argv, app, [&] {
     unloading::UnloadingParameters parameters;
+    parameters.residual_tolerance = parameters.position_tolerance =
+        1e-9; // until the observer stops
+    parameters.max_steps = most_steps;
     const bool is_root = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
     mesh::TetMesh mesh;
     if (is_root)

@@ -5,6 +5,7 @@
 #include "prosup/core/collective.h"
 #include "prosup/mesh/deformation.h"
 #include "prosup/mesh/distributed.h"
+#include "prosup/mesh/refine.h"
 
 namespace prosup::pipeline {
 
@@ -27,14 +28,23 @@ void transfer_mesh(mesh::TetMesh& mesh, int from, int to, MPI_Comm communicator)
 
 } // namespace
 
+std::unique_ptr<mechanics::Body> make_body(const Stages& stages, mesh::TetMesh& mesh,
+                                           MPI_Comm communicator) {
+  const mechanics::Element element = stages.elements.element();
+  auto body =
+      std::make_unique<mechanics::Body>(*mesh::make_distributed(mesh, communicator), element);
+  if (element.degree() == 2)
+    on_root(communicator, [&] { mesh = mesh::refined(mesh); });
+  return body;
+}
+
 MeshPair build_bodies(const Stages& stages, Inputs& inputs, BodyPair& pair, const Log& log) {
   MeshPair meshes;
   const auto& ranks = pair.ranks();
   const MPI_Comm group = ranks.group();
   pair.for_each([&](State which, BodyState& state) {
     on_root(group, [&] { meshes[which] = stages.mesher.run(inputs.scene.labels[which]); });
-    const auto triangulation = mesh::make_distributed(meshes[which], group);
-    state.body = std::make_unique<mechanics::Body>(*triangulation);
+    state.body = make_body(stages, meshes[which], group);
     state.unloading = std::make_unique<unloading::Unloading>(
         stages.unloading, *state.body, stages.scene.gravity[which], state_names[which], Log(group));
     state.image = std::move(inputs.images[which]);
@@ -46,12 +56,6 @@ MeshPair build_bodies(const Stages& stages, Inputs& inputs, BodyPair& pair, cons
     log.line(format("  %s: %zu cells, %zu nodes", state_names[state], meshes[state].cells.size(),
                     meshes[state].points.size()));
   return meshes;
-}
-
-mesh::UnloadedMesh gather_unloaded(const mesh::TetMesh& mesh,
-                                   const unloading::Unloading& unloading) {
-  const auto at_cells = unloading.body().gather_at_cells(unloading.unloaded());
-  return {mesh, mesh::at_nodes(mesh, at_cells)};
 }
 
 std::array<mesh::UnloadedMesh, 2> gather_unloaded(const MeshPair& meshes, const BodyPair& pair) {

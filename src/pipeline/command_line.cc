@@ -99,7 +99,7 @@ bool prepare(const Options& options, Stages& stages, dealii::ParameterHandler& p
     const fs::path folder =
         options.file.empty() ? fs::current_path() : fs::absolute(options.file).parent_path();
     stages.scene.resolve(folder, parameters);
-    stages.loading.resolve(folder, parameters);
+    stages.single_state.resolve(folder, parameters);
   });
   if (options.write_prm.empty())
     return true;

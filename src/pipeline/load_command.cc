@@ -1,12 +1,9 @@
-#include "prosup/mechanics/quasi_static.h"
 #include "prosup/mesh/deformation.h"
 #include "prosup/output/pictures.h"
 #include "prosup/output/vtu.h"
 #include "single_state_job.h"
 
 namespace prosup::pipeline {
-
-using mechanics::NodeVector;
 
 namespace {
 
@@ -23,7 +20,7 @@ public:
       : SingleStateJob(stages, world, "load", "Loading") {}
 
 private:
-  bool has_mesh() const { return !stages_.loading.mesh.empty(); }
+  bool has_mesh() const { return !stages_.single_state.mesh.empty(); }
 
   /// A mesh makes the labels needless, unless there is an image.
   void read() override {
@@ -34,47 +31,15 @@ private:
   mesh::TetMesh make_mesh() override {
     if (!has_mesh())
       return SingleStateJob::make_mesh();
-    return exchanged(output::read_mesh(stages_.loading.mesh)).mesh;
+    return exchanged(output::read_mesh(stages_.single_state.mesh)).mesh;
   }
 
-  mesh::UnloadedMesh simulate(const mesh::TetMesh& mesh) override {
-    const auto body = make_body(mesh);
-    NodeVector loaded = stages_.loading.is_explicit() ? settle(*body) : solve(*body);
-    loaded += body->vertex_positions();
-    loaded.update_ghost_values();
+  mesh::UnloadedMesh simulate(mesh::TetMesh mesh) override {
+    const auto body = make_body(stages_, mesh, world_);
+    const mechanics::NodeVector loaded = equilibrium(*body, Direction::load);
     mesh::UnloadedMesh result{mesh, mesh.points};
     result.mesh.points = mesh::at_nodes(mesh, body->gather_at_cells(loaded));
     return result;
-  }
-
-  /// Displacement by damped motion.
-  NodeVector settle(const mechanics::Body& body) {
-    unloading::Unloading motion(stages_.unloading, body, stages_.scene.gravity[state_], name_,
-                                log_);
-    motion.hold_reference();
-    motion.set_material(material(body));
-    const unloading::UnloadingResult result = motion.run();
-    log_.line(describe(name_, result));
-    n_steps_ = result.n_steps;
-    converged_ = result.converged;
-    return motion.displacement();
-  }
-
-  /// Displacement by Newton's method.
-  NodeVector solve(const mechanics::Body& body) {
-    mechanics::QuasiStatic quasi_static(stages_.quasi_static, body, log_);
-    const auto& fixed = stages_.unloading.fixed_boundaries;
-    quasi_static.set_material(material(body));
-    quasi_static.set_fixed_nodes(body.nodes_on_boundary({fixed.begin(), fixed.end()}));
-    quasi_static.set_body_force(body_force(stages_, state_));
-    NodeVector displacement;
-    body.initialize(displacement);
-    displacement.update_ghost_values();
-    const auto result = quasi_static.load(body.vertex_positions(), displacement);
-    log_.line(describe(name_, result));
-    n_steps_ = result.n_newton_steps;
-    converged_ = result.converged;
-    return displacement;
   }
 
   void write_images(const std::filesystem::path& folder) const override {

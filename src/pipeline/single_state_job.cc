@@ -11,7 +11,6 @@
 #include "prosup/image/filters.h"
 #include "prosup/image/image_io.h"
 #include "prosup/mesh/deformation.h"
-#include "prosup/mesh/distributed.h"
 #include "prosup/mesh/quality.h"
 #include "prosup/output/displacement_fields.h"
 #include "prosup/output/vtu.h"
@@ -33,7 +32,7 @@ bool SingleStateJob::run(const dealii::ParameterHandler& parameters, const fs::p
   on_root(world_, [&] { folder = std::make_unique<ResultFolder>(output); });
   timer_.run("Reading", [&] { on_root(world_, [&] { read(); }); });
   timer_.run("Meshing", [&] { on_root(world_, [&] { mesh = make_mesh(); }); });
-  timer_.run(simulation_, [&] { mesh_ = simulate(mesh); });
+  timer_.run(simulation_, [&] { mesh_ = simulate(std::move(mesh)); });
   timer_.run("Writing results",
              [&] { on_root(world_, [&] { write(parameters, folder->path()); }); });
   const double memory = peak_memory(world_);
@@ -50,13 +49,58 @@ void SingleStateJob::read() {
   original_ = stages_.inputs.read_image(stages_.scene, state_);
 }
 
-std::unique_ptr<mechanics::Body> SingleStateJob::make_body(const mesh::TetMesh& mesh) const {
-  return std::make_unique<mechanics::Body>(*mesh::make_distributed(mesh, world_));
-}
-
 std::vector<mechanics::LameParameters> SingleStateJob::material(const mechanics::Body& body) const {
   return stages_.material.parameters_of(body.material_ids(),
                                         stages_.material.initial_shear_modulus());
+}
+
+mechanics::NodeVector SingleStateJob::equilibrium(const mechanics::Body& body,
+                                                  Direction direction) {
+  mechanics::NodeVector positions =
+      stages_.single_state.is_explicit() ? settle(body, direction) : solve(body, direction);
+  positions.update_ghost_values();
+  return positions;
+}
+
+/// By damped motion.
+mechanics::NodeVector SingleStateJob::settle(const mechanics::Body& body, Direction direction) {
+  unloading::Unloading motion(stages_.unloading, body, stages_.scene.gravity[state_], name_, log_);
+  if (direction == Direction::load)
+    motion.hold_reference();
+  motion.set_material(material(body));
+  const unloading::UnloadingResult result = motion.run();
+  log_.line(describe(name_, result));
+  n_steps_ = result.n_steps;
+  converged_ = result.converged;
+  mechanics::NodeVector positions = motion.unloaded();
+  if (direction == Direction::load)
+    positions += motion.displacement();
+  return positions;
+}
+
+/// By Newton's method.
+mechanics::NodeVector SingleStateJob::solve(const mechanics::Body& body, Direction direction) {
+  mechanics::QuasiStatic quasi_static(stages_.quasi_static, body, log_);
+  const auto& fixed = stages_.unloading.fixed_boundaries;
+  quasi_static.set_material(material(body));
+  quasi_static.set_fixed_nodes(body.nodes_on_boundary({fixed.begin(), fixed.end()}));
+  quasi_static.set_body_force(body_force(stages_, state_));
+  mechanics::NodeVector positions = body.vertex_positions();
+  positions.update_ghost_values();
+  mechanics::QuasiStaticResult result;
+  if (direction == Direction::unload) {
+    result = quasi_static.unload(body.vertex_positions(), positions);
+  } else {
+    mechanics::NodeVector displacement;
+    body.initialize(displacement);
+    displacement.update_ghost_values();
+    result = quasi_static.load(body.vertex_positions(), displacement);
+    positions += displacement;
+  }
+  log_.line(describe(name_, result));
+  n_steps_ = result.n_newton_steps;
+  converged_ = result.converged;
+  return positions;
 }
 
 void SingleStateJob::write(const dealii::ParameterHandler& parameters,

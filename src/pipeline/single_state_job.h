@@ -30,12 +30,14 @@ protected:
   /// The mesh to start with, on rank 0.
   virtual mesh::TetMesh make_mesh() { return stages_.mesher.run(labels_); }
   /// Both configurations of the body (on rank 0) from the mesh.
-  virtual mesh::UnloadedMesh simulate(const mesh::TetMesh& mesh) = 0;
+  virtual mesh::UnloadedMesh simulate(mesh::TetMesh mesh) = 0;
   /// Fields and images of `mesh_`, on rank 0.
   virtual void write_images(const std::filesystem::path& folder) const = 0;
 
-  std::unique_ptr<mechanics::Body> make_body(const mesh::TetMesh& mesh) const;
-  std::vector<mechanics::LameParameters> material(const mechanics::Body& body) const;
+  enum class Direction { load, unload };
+  /// The other configuration of a body whose nodes stand where they do in the
+  /// mesh, by the chosen solver: loaded or unloaded positions, mm. Collective.
+  mechanics::NodeVector equilibrium(const mechanics::Body& body, Direction direction);
 
   /// Writes the field from the unloaded to the loaded configuration of a mesh.
   image::VectorImage write_field(const mesh::UnloadedMesh& mesh,
@@ -55,6 +57,9 @@ protected:
   bool converged_ = false;
 
 private:
+  mechanics::NodeVector settle(const mechanics::Body& body, Direction direction);
+  mechanics::NodeVector solve(const mechanics::Body& body, Direction direction);
+  std::vector<mechanics::LameParameters> material(const mechanics::Body& body) const;
   void write(const dealii::ParameterHandler& parameters, const std::filesystem::path& folder) const;
   output::Summary summary(double memory) const;
 

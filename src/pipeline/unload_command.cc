@@ -1,3 +1,4 @@
+#include "prosup/mesh/deformation.h"
 #include "prosup/output/pictures.h"
 #include "single_state_job.h"
 
@@ -12,16 +13,10 @@ public:
       : SingleStateJob(stages, world, "unload", "Unloading") {}
 
 private:
-  mesh::UnloadedMesh simulate(const mesh::TetMesh& mesh) override {
-    const auto body = make_body(mesh);
-    unloading::Unloading unloading(stages_.unloading, *body, stages_.scene.gravity[state_], name_,
-                                   log_);
-    unloading.set_material(material(*body));
-    const unloading::UnloadingResult result = unloading.run();
-    log_.line(describe(name_, result));
-    n_steps_ = result.n_steps;
-    converged_ = result.converged;
-    return gather_unloaded(mesh, unloading);
+  mesh::UnloadedMesh simulate(mesh::TetMesh mesh) override {
+    const auto body = make_body(stages_, mesh, world_);
+    const mechanics::NodeVector unloaded = equilibrium(*body, Direction::unload);
+    return {mesh, mesh::at_nodes(mesh, body->gather_at_cells(unloaded))};
   }
 
   void write_images(const std::filesystem::path& folder) const override {

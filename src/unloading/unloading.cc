@@ -112,7 +112,7 @@ UnloadingResult Unloading::simulate(unsigned max_steps, bool until_settled) {
                          result.min_jacobian));
     result.converged = result.residual < parameters_.residual_tolerance &&
                        result.distance < parameters_.position_tolerance && fully_loaded_;
-    if (result.converged && until_settled)
+    if ((result.converged && until_settled) || (observer_ && !observer_(result.n_steps)))
       break;
     if (++n_corrections % corrections_per_snapshot == 0)
       last_good_ = save();

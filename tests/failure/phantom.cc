@@ -41,7 +41,7 @@ TEST_F(Phantom, TissueTooSoftForItsWeight) {
 }
 
 TEST_F(Phantom, LoadOfAMeshThatIsNone) {
-  expect_refused({"load", "--output", output(), "--set", "Loading/Mesh=nowhere.vtu"},
+  expect_refused({"load", "--output", output(), "--set", "Single state/Mesh=nowhere.vtu"},
                  {"nowhere.vtu", "does not exist"});
   expect_refused({"load", "--output", output()}, {"Prone labels", "--prone-labels"});
 }

@@ -78,9 +78,9 @@ TEST(WritePrm, HoldsEveryDefaultAndCanBeReadBack) {
 TEST(WritePrm, HoldsTheOverridesAndOptions) {
   const TemporaryFolder folder;
   const std::string file = folder / "all.prm";
-  const ProgramRun run = run_prosup({"register", "--prone-image", "some/where.nrrd",
-                                     "--supine-gravity", "0,0.6,0.8", "--set", "Unloading/Lag factor=1.5",
-                                     "--set", "Unloading/Lag factor=2", "--write-prm", file});
+  const ProgramRun run = run_prosup(
+      {"register", "--prone-image", "some/where.nrrd", "--supine-gravity", "0,0.6,0.8", "--set",
+       "Unloading/Lag factor=1.5", "--set", "Unloading/Lag factor=2", "--write-prm", file});
   ASSERT_EQ(run.exit_code, 0) << run.transcript();
   const std::string prm = contents(file);
   EXPECT_EQ(value_of(prm, "Lag factor"), "2"); // the last one counts

@@ -123,8 +123,9 @@ TEST(Load, UndoesUnload) {
   const auto mesh = output::read_mesh(vtu);
   for (const char* solver : {"explicit", "newton"}) {
     const auto result = folder / solver;
-    const ProgramRun run = run_prosup({"load", "--output", result, "--set", "Loading/Mesh=" + vtu,
-                                       "--set", std::string("Loading/Solver=") + solver});
+    const ProgramRun run =
+        run_prosup({"load", "--output", result, "--set", "Single state/Mesh=" + vtu, "--set",
+                    std::string("Single state/Solver=") + solver});
     ASSERT_EQ(run.exit_code, 0) << run.transcript();
     EXPECT_EQ(read_json(result / "summary.json").at("command"), "load");
     const auto loaded = output::read_mesh(result / "prone_loaded.vtu");

@@ -2,6 +2,7 @@
 #define PROSUP_PIPELINE_BODY_BUILDING_H
 
 #include <array>
+#include <memory>
 #include <string>
 
 #include "prosup/core/log.h"
@@ -15,6 +16,11 @@ namespace prosup::pipeline {
 /// Meshes of both states, whole, on rank 0 of all ranks.
 using MeshPair = std::array<mesh::TetMesh, 2>;
 
+/// Sets up a body of the chosen elements from a mesh on rank 0, which becomes
+/// that of Body::cells(): with quadratic elements its refinement. Collective.
+std::unique_ptr<mechanics::Body> make_body(const Stages& stages, mesh::TetMesh& mesh,
+                                           MPI_Comm communicator);
+
 /// Meshes both masks, each on the first rank of its group, distributes the
 /// meshes, and sets up bodies and unloadings of `pair`. The images in `inputs`
 /// move into the pair. Collective.
@@ -25,10 +31,6 @@ MeshPair build_bodies(const Stages& stages, Inputs& inputs, registration::BodyPa
 /// empty elsewhere. Collective.
 std::array<mesh::UnloadedMesh, 2> gather_unloaded(const MeshPair& meshes,
                                                   const registration::BodyPair& pair);
-
-/// The same for one body, on rank 0 of its communicator.
-mesh::UnloadedMesh gather_unloaded(const mesh::TetMesh& mesh,
-                                   const unloading::Unloading& unloading);
 
 /// Copies an unloaded mesh from one rank to another; only these two call it.
 void transfer_unloaded(mesh::UnloadedMesh& mesh, int from, int to, MPI_Comm communicator);

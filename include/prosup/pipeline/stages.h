@@ -5,14 +5,15 @@
 #include <string>
 #include <vector>
 
+#include "prosup/mechanics/element.h"
 #include "prosup/mechanics/material.h"
 #include "prosup/mechanics/quasi_static.h"
 #include "prosup/mesh/mask_mesher.h"
 #include "prosup/phantom/phantom_parameters.h"
 #include "prosup/pipeline/case_parameters.h"
 #include "prosup/pipeline/inputs.h"
-#include "prosup/pipeline/loading_parameters.h"
 #include "prosup/pipeline/result_parameters.h"
+#include "prosup/pipeline/single_state_parameters.h"
 #include "prosup/registration/image_force_registration.h"
 #include "prosup/registration/material_update.h"
 #include "prosup/registration/similarity_setup.h"
@@ -26,10 +27,11 @@ struct Stages {
   CaseParameters scene;
   mesh::MaskMesher mesher;
   InputReader inputs{mesher};
+  mechanics::ElementParameters elements;
   mechanics::TissueMaterial material;
   unloading::UnloadingParameters unloading;
   mechanics::QuasiStaticParameters quasi_static;
-  LoadingParameters loading;
+  SingleStateParameters single_state;
   registration::SimilarityParameters similarity;
   registration::MaterialUpdate material_update;
   registration::ImageForceRegistration image_forces;

@@ -1,7 +1,9 @@
 #ifndef PROSUP_UNLOADING_UNLOADING_H
 #define PROSUP_UNLOADING_UNLOADING_H
 
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "prosup/core/log.h"
@@ -58,6 +60,12 @@ public:
   /// under gravity, in which run() settles the loaded state X + u.
   void hold_reference() { holds_reference_ = true; }
 
+  /// Looks at each healthy state, every n steps, with the number of steps of the
+  /// present call; the simulation stops where it returns false. Has to return
+  /// the same on all ranks.
+  using Observer = std::function<bool(unsigned n_steps)>;
+  void set_observer(Observer observer) { observer_ = std::move(observer); }
+
   /// Simulates until settled to the tolerances.
   /// @throws DivergenceError with a diagnosis when all retries are used up;
   /// the last good state is restored first.
@@ -99,6 +107,7 @@ private:
   mechanics::HighestFrequency highest_frequency_;
   mechanics::CentralDifferences integrator_;
   mechanics::DampingControl damping_;
+  Observer observer_;
   State state_;
   State last_good_;
   NodeVector external_force_;

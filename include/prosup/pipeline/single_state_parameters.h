@@ -1,5 +1,5 @@
-#ifndef PROSUP_PIPELINE_LOADING_PARAMETERS_H
-#define PROSUP_PIPELINE_LOADING_PARAMETERS_H
+#ifndef PROSUP_PIPELINE_SINGLE_STATE_PARAMETERS_H
+#define PROSUP_PIPELINE_SINGLE_STATE_PARAMETERS_H
 
 #include <deal.II/base/parameter_acceptor.h>
 
@@ -8,10 +8,10 @@
 
 namespace prosup::pipeline {
 
-/// Parameters of the command load, section "Loading".
-class LoadingParameters : public dealii::ParameterAcceptor {
+/// Parameters of the commands load and unload, section "Single state".
+class SingleStateParameters : public dealii::ParameterAcceptor {
 public:
-  LoadingParameters();
+  SingleStateParameters();
   void declare_parameters(dealii::ParameterHandler& prm) override;
 
   bool is_explicit() const { return solver_ == "explicit"; }
