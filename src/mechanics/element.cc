@@ -22,16 +22,16 @@ const std::vector<std::string>& instruction_set_names() {
 }
 
 ElementParameters::ElementParameters()
-    : ParameterAcceptor("Elements"), type_(element_names().front()),
+    : ParameterAcceptor("Elements"), type_("nodal-pressure"),
       precision_(precision_names().front()) {}
 
 void ElementParameters::declare_parameters(ParameterHandler& prm) {
   prm.add_parameter(
       "Type", type_,
-      "Finite element. linear: 4-node tetrahedra, fastest, lock for Poisson ratios above 0.47 or "
-      "so. nodal-pressure: the same with volume changes averaged at the nodes (Joldes et al. "
-      "2009), for nearly incompressible tissue. quadratic: 10-node tetrahedra, most accurate for "
-      "a mesh; allows for about twice the edge length. Units: none.",
+      "Finite element. nodal-pressure: 4-node tetrahedra with volume changes averaged at the "
+      "nodes (Joldes et al. 2009), which do not lock near incompressibility. linear: the same "
+      "without, a little faster. quadratic: 10-node tetrahedra, most accurate for a mesh; they "
+      "allow for about twice the edge length. Units: none.",
       one_of(element_names()));
   prm.add_parameter("Precision", precision_,
                     "Floating-point numbers in which internal forces are computed; positions "
