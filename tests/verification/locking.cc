@@ -20,7 +20,7 @@ double sag(ElementType type, double nu, unsigned n) {
   tests::StaticBox cube({n, n, n}, {edge, edge, edge}, type, lame_parameters(mu, nu),
                         "petsc-direct");
   cube.parameters.load_steps = nu > 0.496 ? 2 : 1;
-  const QuasiStaticResult result = cube.load();
+  EXPECT_TRUE(cube.load().converged);
   double deepest = 0.;
   for (unsigned node = 0; node < cube.body.n_owned_nodes(); ++node)
     deepest = std::max(deepest, -node_value(cube.displacement, node)[1]);

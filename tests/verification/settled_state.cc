@@ -73,7 +73,8 @@ struct Breast {
 
   /// The same by Newton's method.
   Corners solve(Way way) const {
-    const QuasiStaticParameters parameters;
+    QuasiStaticParameters parameters;
+    parameters.tolerance = 1e-10;
     QuasiStatic solver(parameters, body);
     solver.set_material(material);
     solver.set_fixed_nodes(body.nodes_on_boundary({1, 2}));
