@@ -13,6 +13,9 @@ using namespace dealii;
 namespace {
 
 constexpr unsigned max_products = 60;
+// Of a first call: a rough start may rest for some products on an eigenvalue just
+// below the top, with a small residual.
+constexpr unsigned least_products_at_first = 16;
 // What a new start keeps of the first one, lest it misses another top.
 constexpr double part_of_rough = 0.1;
 
@@ -128,8 +131,12 @@ HighestFrequency::Estimate HighestFrequency::estimate(const NodeVector& displace
     ++estimate.n_products;
     estimate.ritz_value = top.value;
     estimate.upper_bound = top.value + length * std::abs(top.vector.back());
-    if (estimate.upper_bound - estimate.ritz_value <= tolerance * estimate.ritz_value ||
+    const double residual = estimate.upper_bound - estimate.ritz_value;
+    const bool patient = has_found_top_ || estimate.n_products >= least_products_at_first ||
+                         length <= 1e-8 * top.value; // all that the start vector leads to
+    if ((residual <= tolerance * estimate.ritz_value && patient) ||
         estimate.n_products == max_products) {
+      has_found_top_ = true;
       start_ = 0.;
       for (unsigned k = 0; k < basis.size(); ++k)
         start_.add(top.vector[k], basis[k]);

@@ -1,6 +1,7 @@
 #ifndef PROSUP_MECHANICS_NEWTON_H
 #define PROSUP_MECHANICS_NEWTON_H
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <string>
@@ -24,7 +25,7 @@ struct NewtonLimits {
 };
 
 /// Newton's method with backtracking: a step after which some J is not
-/// positive, or that does not lower the residual, is shortened.
+/// positive, or the residual far too high, is shortened.
 class NewtonSolver {
 public:
   virtual ~NewtonSolver() = default;
@@ -46,19 +47,32 @@ std::unique_ptr<NewtonSolver> make_trilinos_newton(const Equilibrium& equations,
 constexpr double linear_tolerance = 1e-4;
 constexpr unsigned max_linear_iterations = 400, linear_restart = 60;
 
-/// Backtracking: halves the part of a step that is taken until it lowers the
-/// residual `norm`, where `norm_after(part)` is the norm after that part or
-/// infinite. @returns the part, 0 if there is none.
-template <typename NormAfter>
-double accepted_part(double norm, const NormAfter& norm_after) {
-  constexpr unsigned max_halvings = 12;
-  constexpr double least_decrease = 1e-4;
-  double part = 1.;
-  for (unsigned i = 0; i <= max_halvings; ++i, part *= 0.5)
-    if (norm_after(part) <= (1. - least_decrease * part) * norm)
-      return part;
-  return 0.;
-}
+/// Decides how much of each step of one solution is taken. The residual need not
+/// fall at once: a step that rotates a nearly incompressible body changes volumes
+/// in second order, against a bulk stiffness so high that the residual rises, and
+/// the next steps mend that. It may not rise without bound nor stay up.
+class Backtracking {
+public:
+  /// Halves the part of a step from where the residual is `norm`, until that
+  /// after it, `norm_after(part)` (infinite where invalid), is acceptable.
+  /// @returns the part, 0 if there is none.
+  template <typename NormAfter>
+  double accepted_part(double norm, const NormAfter& norm_after) {
+    constexpr unsigned max_halvings = 12, patience = 6;
+    constexpr double largest_growth = 1e4;
+    n_steps_up_ = norm < lowest_norm_ ? 0 : n_steps_up_ + 1;
+    lowest_norm_ = std::min(lowest_norm_, norm);
+    double part = n_steps_up_ > patience ? 0. : 1.;
+    for (unsigned i = 0; i <= max_halvings && part > 0.; ++i, part *= 0.5)
+      if (norm_after(part) <= largest_growth * lowest_norm_)
+        return part;
+    return 0.;
+  }
+
+private:
+  double lowest_norm_ = std::numeric_limits<double>::infinity();
+  unsigned n_steps_up_ = 0; // since the residual was lowest
+};
 
 } // namespace prosup::mechanics
 

@@ -36,6 +36,7 @@ public:
     const QuietErrors quiet;
     equations_ = &equations;
     failure_ = nullptr;
+    backtracking_ = {};
     set_rigid_modes(unknown);
     copy(unknown.begin(), solution_.get());
     check(SNESSetTolerances(snes_.get(), limits.residual_norm, 0., 0.,
@@ -62,7 +63,7 @@ private:
     SNESLineSearch search = nullptr;
     check(SNESGetLineSearch(snes, &search));
     check(SNESLineSearchSetType(search, SNESLINESEARCHSHELL));
-    check(SNESLineSearchShellSetUserFunc(search, &PetscNewton::backtrack, nullptr));
+    check(SNESLineSearchShellSetUserFunc(search, &PetscNewton::backtrack, this));
     KSP ksp = nullptr;
     check(SNESGetKSP(snes, &ksp));
     petsc::set_linear_solver(ksp, solver_);
@@ -134,7 +135,8 @@ private:
 
   /// The line search. Interpolation between norms, as in SNES's own, shortens
   /// the steps far more than large rotations need.
-  static PetscErrorCode backtrack(SNESLineSearch search, void*) {
+  static PetscErrorCode backtrack(SNESLineSearch search, void* context) {
+    auto& self = *static_cast<PetscNewton*>(context);
     SNES snes = nullptr;
     Vec x = nullptr, f = nullptr, step = nullptr, trial = nullptr, trial_f = nullptr;
     PetscReal norm = 0.;
@@ -142,7 +144,7 @@ private:
     PetscCall(SNESLineSearchGetVecs(search, &x, &f, &step, &trial, &trial_f));
     PetscCall(SNESLineSearchGetNorms(search, nullptr, &norm, nullptr));
     PetscErrorCode code = 0;
-    const double part = accepted_part(norm, [&](double tried) {
+    const double part = self.backtracking_.accepted_part(norm, [&](double tried) {
       PetscReal after = std::numeric_limits<double>::infinity();
       code = code != 0 ? code : VecWAXPY(trial, -tried, step, x);
       code = code != 0 ? code : SNESComputeFunction(snes, trial, trial_f);
@@ -177,6 +179,7 @@ private:
   const Equilibrium* equations_ = nullptr;
   NodeVector position_, force_;
   std::exception_ptr failure_;
+  Backtracking backtracking_;
   Owned<Vec, VecDestroy> solution_, residual_;
   Owned<Mat, MatDestroy> matrix_;
   Owned<SNES, SNESDestroy> snes_;

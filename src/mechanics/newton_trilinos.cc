@@ -83,6 +83,7 @@ public:
     if (!(equations.residual(unknown, residual_) > 0.))
       return report;
     report.residual_norm = residual_.l2_norm();
+    backtracking_ = {};
     while (report.residual_norm > limits.residual_norm && report.n_steps < limits.max_steps) {
       assemble(equations, unknown);
       if (!solve_for_step(equations.body(), unknown, report) ||
@@ -137,10 +138,10 @@ private:
     return std::isfinite(step_.l2_norm());
   }
 
-  /// Goes along the step as far as J stays positive and the residual falls.
+  /// Goes along the step as far as J stays positive and the residual is acceptable.
   bool backtrack(const Equilibrium& equations, NodeVector& unknown, NewtonReport& report) {
     double norm = 0.;
-    const double part = accepted_part(report.residual_norm, [&](double tried) {
+    const double part = backtracking_.accepted_part(report.residual_norm, [&](double tried) {
       for (unsigned k = 0; k < trial_.locally_owned_size(); ++k)
         trial_.local_element(k) = unknown.local_element(k) - tried * step_.local_element(k);
       trial_.update_ghost_values();
@@ -158,6 +159,7 @@ private:
   const LinearSolver solver_;
   TrilinosWrappers::SparseMatrix matrix_;
   NodeVector residual_, step_, trial_;
+  Backtracking backtracking_;
 };
 
 } // namespace

@@ -13,7 +13,8 @@ namespace prosup::mechanics {
 /// converges from below; with the norm of its residual r it gives
 ///   theta <= omega^2_max <= theta + r,
 /// the upper bound as soon as the Ritz vector has found the top of the spectrum,
-/// which a rough start vector and a converged residual make sure of. Products
+/// which a rough start vector, a converged residual and patience in the first call
+/// make sure of. Products
 /// with K are differences of internal forces.
 class HighestFrequency {
 public:
@@ -40,6 +41,7 @@ private:
   const Body& body_;
   const InternalForce& internal_force_;
   NodeVector rough_, start_; ///< in the coordinates M^1/2 u
+  bool has_found_top_ = false;
 };
 
 } // namespace prosup::mechanics

@@ -1,6 +1,4 @@
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/quadrature.h>
-#include <deal.II/fe/fe_simplex_p.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,6 +6,7 @@
 
 #include "box.h"
 #include "prosup/mechanics/internal_force.h"
+#include "strain_energy.h"
 
 using namespace dealii;
 using namespace prosup::mechanics;
@@ -21,16 +20,6 @@ const std::vector<Element> double_elements{
 
 std::string name(const Element& element) {
   return element_names()[static_cast<unsigned>(element.type)];
-}
-
-/// The centroid rule, and that of four points (Keast): deal.II 9.4 has the latter
-/// to four digits only.
-Quadrature<3> quadrature_of_degree(unsigned degree) {
-  if (degree == 1)
-    return Quadrature<3>({Point<3>(0.25, 0.25, 0.25)}, {1. / 6.});
-  const double a = 0.25 + 0.15 * std::sqrt(5.), b = 0.25 - 0.05 * std::sqrt(5.);
-  return Quadrature<3>({{b, b, b}, {a, b, b}, {b, a, b}, {b, b, a}},
-                       {1. / 24., 1. / 24., 1. / 24., 1. / 24.});
 }
 
 /// A skewed box with two materials, its forces, and its energy computed with
@@ -79,41 +68,7 @@ struct Block {
   }
 
   double energy(const NodeVector& u) const {
-    const FE_SimplexP<3> shape(element.degree());
-    const Quadrature<3> quadrature = quadrature_of_degree(element.degree());
-    const bool averaged = element.type == ElementType::nodal_pressure;
-    std::vector<double> V(body.n_local_nodes(), 0.), VJ = V, Vlambda = V;
-    double sum = 0.;
-    for (unsigned e = 0; e < body.n_elements(); ++e)
-      for (unsigned q = 0; q < quadrature.size(); ++q) {
-        Tensor<2, 3> D, H;
-        for (unsigned a = 0; a < shape.n_dofs_per_cell(); ++a) {
-          const unsigned node = body.element_nodes(e)[a];
-          const Tensor<1, 3> gradient = shape.shape_grad(a, quadrature.point(q));
-          D += outer_product(node_value(body.vertex_positions(), node), gradient);
-          H += outer_product(node_value(u, node), gradient);
-        }
-        Tensor<2, 3> F = H * invert(D);
-        for (unsigned c = 0; c < 3; ++c)
-          F[c][c] += 1.;
-        const double volume = quadrature.weight(q) * determinant(D), J = determinant(F);
-        const LameParameters m = material[material.size() == 1 ? 0 : e];
-        sum += volume * neo_hookean_energy(F, {m.mu, averaged ? 0. : m.lambda});
-        for (unsigned a = 0; a < 4; ++a) {
-          const unsigned node = body.element_nodes(e)[a];
-          V[node] += volume / 4.;
-          VJ[node] += volume * J / 4.;
-          Vlambda[node] += volume * m.lambda / 4.;
-        }
-      }
-    if (averaged) {
-      V = body.sum_over_ranks(V);
-      VJ = body.sum_over_ranks(VJ);
-      Vlambda = body.sum_over_ranks(Vlambda);
-      for (unsigned node = 0; node < body.n_owned_nodes(); ++node)
-        sum += 0.5 * Vlambda[node] * std::pow(std::log(VJ[node] / V[node]), 2);
-    }
-    return Utilities::MPI::sum(sum, MPI_COMM_WORLD);
+    return prosup::tests::strain_energy(body, material, body.vertex_positions(), u);
   }
 };
 

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "box.h"
 #include "expect_error.h"
+#include "static_box.h"
 
 using namespace dealii;
 using namespace prosup;
@@ -16,44 +16,8 @@ namespace {
 
 const Tensor<1, 3> weight({0., -9.81, 0.}); // g/(mm^2 s^2), of 1 g/cm^3
 
-/// A box held at its face at high y, with its solver.
-struct Box {
-  Box(const std::vector<unsigned>& n, const Point<3>& size, ElementType type,
-      const LameParameters& material, const std::string& linear_algebra = "",
-      MPI_Comm communicator = MPI_COMM_WORLD)
-      : mesh(tests::make_box(communicator, n, size)), body(*mesh, Element{type}),
-        solver(parameters, body) {
-    if (!linear_algebra.empty())
-      parameters.linear_algebra = linear_algebra;
-    solver.set_material({material});
-    solver.set_fixed_nodes(body.nodes_on_boundary({3}));
-    solver.set_body_force(weight);
-    body.initialize(displacement);
-    displacement.update_ghost_values();
-  }
-
-  NodeVector loaded() const {
-    NodeVector x;
-    body.initialize(x);
-    for (unsigned i = 0; i < x.locally_owned_size(); ++i)
-      x.local_element(i) = body.vertex_positions().local_element(i) + displacement.local_element(i);
-    x.update_ghost_values();
-    return x;
-  }
-
-  QuasiStaticParameters parameters;
-  std::unique_ptr<tests::Distributed> mesh;
-  Body body;
-  QuasiStatic solver;
-  NodeVector displacement;
-};
-
-double largest_difference(const NodeVector& a, const NodeVector& b) {
-  double largest = 0.;
-  for (unsigned i = 0; i < a.locally_owned_size(); ++i)
-    largest = std::max(largest, std::abs(a.local_element(i) - b.local_element(i)));
-  return Utilities::MPI::max(largest, MPI_COMM_WORLD);
-}
+using Box = tests::StaticBox;
+using tests::largest_difference;
 
 /// Springs of stiffness k (g/s^2) that hold the nodes marked at where they were
 /// unloaded.
