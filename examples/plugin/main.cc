@@ -29,7 +29,7 @@ namespace {
 constexpr double force_weight = 60.; // kappa, Pa: a part of the shear modulus
 constexpr double voxel_edge = 3.;    // of the common unloaded grid, mm
 constexpr unsigned n_updates = 8;
-constexpr unsigned steps_per_update = 150;
+constexpr unsigned steps_per_update = 60;
 
 /// One state (prone or supine) of the block, as it would come from a scanner:
 /// a mesh of the loaded shape and an image; and the search for its unloaded one.
