@@ -61,7 +61,7 @@ struct FourDoubles {
     for (int l = 0; l < 4; ++l)
       node_at(field, node[l]) += v[l];
   }
-  // ln x = m 2^e with m in [sqrt(1/2), sqrt(2)); see logarithm().
+  // x = m 2^e with m in [sqrt(1/2), sqrt(2)); see logarithm().
   PROSUP_INLINE static void split(Value x, Value& m, Value& e) {
     typedef std::int64_t Bits __attribute__((vector_size(32)));
     constexpr std::int64_t sqrt_half = 0x3fe6a09e667f3bcd, one = 0x3ff0000000000000;

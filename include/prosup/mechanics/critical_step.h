@@ -12,10 +12,9 @@ namespace prosup::mechanics {
 /// the internal forces at a displacement, by Lanczos' method. The Ritz value
 /// converges from below; with the norm of its residual r it gives
 ///   theta <= omega^2_max <= theta + r,
-/// the upper bound as soon as the Ritz vector has found the top of the spectrum,
-/// which a rough start vector, a converged residual and patience in the first call
-/// make sure of. Products
-/// with K are differences of internal forces.
+/// the upper bound as soon as the Ritz vector has found the top of the spectrum. A
+/// rough start vector, a converged residual and patience in the first call make
+/// sure of that. Products with K are differences of internal forces.
 class HighestFrequency {
 public:
   struct Estimate {
