@@ -103,11 +103,6 @@ public:
                                  volumes);
   }
 
-  std::string description() const override {
-    return std::string(kernels_.instruction_set) + ", " +
-           precision_names()[static_cast<unsigned>(body_.element().precision)];
-  }
-
 private:
   static constexpr bool is_quadratic = std::is_same_v<Batch, kernel::QuadraticBatch<Real>>;
 

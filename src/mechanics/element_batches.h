@@ -31,9 +31,6 @@ public:
   virtual double add_forces(Part part, const double* positions, double* force) const = 0;
   /// First pass of averaged nodal pressure: volumes at the nodes, one double each.
   virtual void add_nodal_volumes(Part part, const double* positions, double* volumes) const = 0;
-
-  /// What runs: instruction set and precision.
-  virtual std::string description() const = 0;
 };
 
 /// Nodes of the lanes without an element, behind those of the body.

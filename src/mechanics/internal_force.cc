@@ -207,8 +207,4 @@ std::string InternalForce::describe_worst_cell(const NodeVector& positions,
   return {};
 }
 
-std::string InternalForce::kernel_description() const {
-  return implementation_->elements->description();
-}
-
 } // namespace prosup::mechanics

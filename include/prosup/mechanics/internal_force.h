@@ -64,9 +64,6 @@ public:
   std::string describe_worst_cell(const NodeVector& positions, const NodeVector& displacement,
                                   double bound) const;
 
-  /// Instruction set and precision in use.
-  std::string kernel_description() const;
-
 private:
   struct Implementation;
   std::unique_ptr<Implementation> implementation_;
