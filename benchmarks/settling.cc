@@ -37,8 +37,7 @@ struct Scene {
     read_parameters(defaults, {}, {});
     mechanics::QuasiStatic solver(newton, body);
     solver.set_material(material);
-    solver.set_fixed_nodes(body.nodes_on_boundary(
-        {parameters.fixed_boundaries.begin(), parameters.fixed_boundaries.end()}));
+    solver.set_fixed_nodes(body.nodes_on_boundary({1, 2}));
     solver.set_body_force(parameters.density * parameters.gravity * gravity);
     const NodeVector& positions = body.vertex_positions();
     unloaded = positions;
@@ -74,7 +73,8 @@ double max_distance(const NodeVector& a, const NodeVector& b, const mechanics::B
 /// Steps until the body is near its settled state and stays there for a while.
 Settled settle(const Scene& scene, const unloading::UnloadingParameters& parameters, bool forward) {
   constexpr unsigned steps_near = 100;
-  unloading::Unloading simulation(parameters, scene.body, scene.gravity);
+  mechanics::Supports supports(scene.body, {1, 2});
+  unloading::Unloading simulation(parameters, supports, scene.gravity);
   if (forward)
     simulation.hold_reference();
   Settled result;

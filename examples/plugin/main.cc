@@ -27,6 +27,7 @@ using unloading::UnloadingParameters;
 namespace {
 
 constexpr double force_weight = 60.; // kappa, Pa: a part of the shear modulus
+const std::set<types::boundary_id> held{1}; // the back of a block
 constexpr double voxel_edge = 3.;    // of the common unloaded grid, mm
 constexpr unsigned n_updates = 8;
 constexpr unsigned steps_per_update = 60;
@@ -41,7 +42,8 @@ struct LoadedBlock {
     load(mesh, block, parameters, gravity, communicator);
     triangulation = distribute(mesh, communicator);
     body = std::make_unique<mechanics::Body>(*triangulation);
-    unloading = std::make_unique<Unloading>(parameters, *body, gravity);
+    supports = std::make_unique<mechanics::Supports>(*body, held);
+    unloading = std::make_unique<Unloading>(parameters, *supports, gravity);
     unloading->set_material(
         {mechanics::lame_parameters(block.assumed_shear_modulus, block.poisson_ratio)});
   }
@@ -50,6 +52,7 @@ struct LoadedBlock {
 
   std::unique_ptr<parallel::fullydistributed::Triangulation<3>> triangulation;
   std::unique_ptr<mechanics::Body> body;
+  std::unique_ptr<mechanics::Supports> supports;
   std::unique_ptr<Unloading> unloading;
   image::ScalarImage image;
 
@@ -60,7 +63,8 @@ private:
             MPI_Comm communicator) {
     const auto distributed = distribute(mesh, communicator);
     const mechanics::Body reference(*distributed);
-    Unloading loading(parameters, reference, gravity);
+    mechanics::Supports supports(reference, held);
+    Unloading loading(parameters, supports, gravity);
     loading.hold_reference(); // X stays where it is: a plain simulation
     loading.set_material(
         {mechanics::lame_parameters(block.true_shear_modulus, block.poisson_ratio)});

@@ -156,10 +156,16 @@ std::vector<double> Body::sum_over_ranks(const std::vector<double>& at_local_nod
   return result;
 }
 
-std::vector<bool> Body::nodes_on_boundary(const std::set<types::boundary_id>& ids) const {
+std::vector<bool> Body::nodes_on_boundary(const std::set<types::boundary_id>& ids,
+                                          const FaceFilter& counts) const {
+  const auto passes = [&](const BoundaryFace& face) {
+    const auto corner = [&](unsigned v) { return node_value(vertex_positions_, face.nodes[v]); };
+    const Tensor<1, 3> normal = cross_product_3d(corner(1) - corner(0), corner(2) - corner(0));
+    return counts((corner(0) + corner(1) + corner(2)) / 3., normal / normal.norm());
+  };
   std::vector<double> marks(n_local_nodes_, 0.);
   for (const BoundaryFace& face : boundary_faces_)
-    if (ids.count(face.id) > 0)
+    if (ids.count(face.id) > 0 && (!counts || passes(face)))
       for (const unsigned node : face.nodes)
         marks[node] = 1.;
   // A node may touch the boundary only through an element of another rank.

@@ -22,16 +22,30 @@ double global_quantile(std::vector<double> values, double fraction, MPI_Comm com
   return all[nth];
 }
 
+/// max_a k_a / m_a of springs to the ground, 1/s^2: what they can add to the
+/// highest squared frequency (Weyl). Collective.
+double largest_ratio(const std::vector<double>& springs, const std::vector<double>& mass,
+                     const Body& body) {
+  double largest = 0.;
+  for (unsigned node = 0; node < springs.size(); ++node)
+    largest = std::max(largest, springs[node] / mass[node]);
+  return Utilities::MPI::max(largest, body.communicator());
+}
+
 } // namespace
 
-StableMass stable_mass(const Body& body, const InternalForce& internal_force,
+StableMass stable_mass(const Supports& supports, const InternalForce& internal_force,
                        HighestFrequency& highest_frequency, const NodeVector& displacement,
-                       const std::vector<bool>& fixed, double density, double scaled_fraction) {
+                       double density, double scaled_fraction) {
+  const Body& body = supports.body();
   StableMass result;
   result.mass = internal_force.lumped_volume();
   for (double& mass : result.mass)
     mass *= density;
-  const std::vector<double> stiffness = internal_force.stiffness_bound(displacement);
+  std::vector<double> stiffness = internal_force.stiffness_bound(displacement);
+  const std::vector<double>& springs = supports.spring_stiffness();
+  for (unsigned node = 0; node < springs.size(); ++node)
+    stiffness[node] += springs[node];
   std::vector<double> critical(body.n_owned_nodes());
   for (unsigned node = 0; node < critical.size(); ++node)
     critical[node] = 2. * std::sqrt(result.mass[node] / stiffness[node]);
@@ -47,20 +61,18 @@ StableMass stable_mass(const Body& body, const InternalForce& internal_force,
   }
   result.scaled_fraction = static_cast<double>(Utilities::MPI::sum(n_scaled, body.communicator())) /
                            body.n_global_nodes();
-  result.critical_step =
-      highest_frequency.estimate(displacement, result.mass, fixed).critical_step();
+  result.critical_step = highest_frequency.estimate(displacement, result.mass, supports.fixed())
+                             .critical_step(largest_ratio(springs, result.mass, body));
   return result;
 }
 
-CentralDifferences::CentralDifferences(const Body& body, const InternalForce& internal_force)
-    : body_(body), internal_force_(internal_force), mobility_(body.n_owned_nodes(), 1.) {
-  body.initialize(force_);
-  body.initialize(velocity_);
-}
-
-void CentralDifferences::set_fixed_nodes(const std::vector<bool>& fixed) {
+CentralDifferences::CentralDifferences(const Supports& supports,
+                                       const InternalForce& internal_force)
+    : body_(supports.body()), supports_(supports), internal_force_(internal_force) {
   for (unsigned node = 0; node < body_.n_owned_nodes(); ++node)
-    mobility_[node] = fixed[node] ? 0. : 1.;
+    mobility_.push_back(supports.fixed()[node] ? 0. : 1.);
+  body_.initialize(force_);
+  body_.initialize(velocity_);
 }
 
 void CentralDifferences::set_mass(const StableMass& mass, double safety) {
@@ -71,8 +83,9 @@ void CentralDifferences::set_mass(const StableMass& mass, double safety) {
 double CentralDifferences::step(const NodeVector& external_force, NodeVector& displacement) {
   std::copy_n(external_force.begin(), 3 * body_.n_owned_nodes(), force_.begin());
   min_jacobian_ = internal_force_.subtract(displacement, force_);
-
   const double h = time_step_;
+  supports_.add_forces(displacement, velocity_, mass_, h, force_);
+
   const double decay = 1. / (1. + h * damping_rate_);
   double* v = velocity_.begin();
   double* u = displacement.begin();
@@ -85,6 +98,7 @@ double CentralDifferences::step(const NodeVector& external_force, NodeVector& di
       *u += h * *v;
     }
   }
+  supports_.constrain(displacement, velocity_, force_);
   return min_jacobian_;
 }
 

@@ -55,8 +55,8 @@ double rough_number(const Tensor<1, 3>& position, unsigned component) {
 
 } // namespace
 
-double HighestFrequency::Estimate::critical_step() const {
-  return 2. / std::sqrt(upper_bound);
+double HighestFrequency::Estimate::critical_step(double added) const {
+  return 2. / std::sqrt(upper_bound + added);
 }
 
 HighestFrequency::HighestFrequency(const Body& body, const InternalForce& internal_force)

@@ -60,34 +60,6 @@ LabelImage cut_out(const LabelImage& mask, const VoxelBox& box) {
   return result;
 }
 
-/// Adds a layer of voxels all round, continuing the values linearly: between the
-/// centres and the outer faces of the border voxels a Sampler would hold them
-/// constant, and bend every surface to meet the border at right angles.
-ScalarImage extended(const ScalarImage& image) {
-  VoxelGrid grid = image.grid;
-  for (unsigned d = 0; d < 3; ++d) {
-    grid.size[d] += 2;
-    grid.origin[d] -= grid.spacing[d];
-  }
-  ScalarImage result(grid);
-  for (std::size_t k = 0; k < image.grid.size[2]; ++k)
-    for (std::size_t j = 0; j < image.grid.size[1]; ++j)
-      std::copy_n(&image(0, j, k), image.grid.size[0], &result(1, j + 1, k + 1));
-  const std::size_t stride[3] = {1, grid.size[0], grid.size[0] * grid.size[1]};
-  for (unsigned d = 0; d < 3; ++d)
-    for (std::size_t v = 0; v < result.values.size(); ++v) {
-      const std::size_t index = v / stride[d] % grid.size[d], last = grid.size[d] - 1;
-      // Along an axis of one voxel the value goes on unchanged.
-      const bool thin = last == 2;
-      float* x = &result.values[v];
-      if (index == 0)
-        *x = thin ? x[stride[d]] : 2.f * x[stride[d]] - x[2 * stride[d]];
-      else if (index == last)
-        *x = thin ? x[-long(stride[d])] : 2.f * x[-long(stride[d])] - x[-2 * long(stride[d])];
-    }
-  return result;
-}
-
 double margin_mm(const VoxelGrid& grid, double sigma_mm) {
   const double largest = std::max({grid.spacing[0], grid.spacing[1], grid.spacing[2]});
   return 3. * (largest + sigma_mm);
@@ -98,8 +70,8 @@ ScalarImage smooth_distance(const LabelImage& mask, double sigma_mm) {
       cut_out(mask, with_margin(bounding_box(mask), mask.grid, margin_mm(mask.grid, sigma_mm)));
   // A mask that fills its image has no boundary to be distant from.
   if (std::find(part.values.begin(), part.values.end(), 0) == part.values.end())
-    return extended(ScalarImage(part.grid, -float(margin_mm(mask.grid, sigma_mm))));
-  return extended(image::gaussian_smooth(image::signed_distance(part), sigma_mm));
+    return image::extended(ScalarImage(part.grid, -float(margin_mm(mask.grid, sigma_mm))), 1);
+  return image::extended(image::gaussian_smooth(image::signed_distance(part), sigma_mm), 1);
 }
 
 } // namespace

@@ -45,8 +45,12 @@ MeshPair build_bodies(const Stages& stages, Inputs& inputs, BodyPair& pair, cons
   pair.for_each([&](State which, BodyState& state) {
     on_root(group, [&] { meshes[which] = stages.mesher.run(inputs.scene.labels[which]); });
     state.body = make_body(stages, meshes[which], group);
-    state.unloading = std::make_unique<unloading::Unloading>(
-        stages.unloading, *state.body, stages.scene.gravity[which], state_names[which], Log(group));
+    state.supports =
+        stages.supports.make(stages.scene.chest(), *state.body, inputs.scene.labels[which],
+                             inputs.scene.labels[1 - which], stages.mesher.chest_label);
+    state.unloading = std::make_unique<unloading::Unloading>(stages.unloading, *state.supports,
+                                                             stages.scene.gravity[which],
+                                                             state_names[which], Log(group));
     state.image = std::move(inputs.images[which]);
   });
   const int rank = Utilities::MPI::this_mpi_process(ranks.world());

@@ -27,7 +27,7 @@ void require(const std::string& value, const std::string& entry, const std::stri
 
 } // namespace
 
-CaseParameters::CaseParameters() : ParameterAcceptor("Case") {
+CaseParameters::CaseParameters() : ParameterAcceptor("Case"), chest_("sliding") {
   gravity[0][1] = -1.;
   gravity[1][1] = 1.;
 }
@@ -50,11 +50,10 @@ void CaseParameters::declare_parameters(ParameterHandler& prm) {
                     Patterns::Anything());
   prm.add_parameter("State", state_, "What the commands mesh, unload and load work on.",
                     Patterns::Selection("prone|supine"));
-  prm.add_parameter(
-      "Chest", chest_,
-      "Motion of the tissue on the chest wall. Allowed: fixed (the nodes of 'Unloading/"
-      "Fixed boundaries' do not move).",
-      Patterns::Selection("fixed"));
+  prm.add_parameter("Chest", chest_,
+                    "Motion of the tissue on the chest wall. fixed: none. sliding: along it. "
+                    "one-sided: along it, and it may lift off. Units: none.",
+                    one_of(unloading::chest_condition_names()));
   prm.add_parameter("Method", method_, "Numerical method. Allowed: fe (finite elements).",
                     Patterns::Selection("fe"));
 }
@@ -65,6 +64,10 @@ void CaseParameters::parse_parameters(ParameterHandler&) {
       throw Error("The direction 'Case/" + capitalized(state_names[s]) +
                   " gravity' is 0,0,0; give a direction in LPS, such as 0,-1,0 for prone and "
                   "0,1,0 for supine.");
+}
+
+unloading::ChestCondition CaseParameters::chest() const {
+  return enumerator<unloading::ChestCondition>(chest_, unloading::chest_condition_names());
 }
 
 void CaseParameters::resolve(const std::filesystem::path& folder, ParameterHandler& prm) {

@@ -30,6 +30,19 @@ LandmarkEvaluation::evaluate(const std::array<mesh::UnloadedMesh, 2>& meshes) {
   return evaluation::statistics(std::move(errors));
 }
 
+std::optional<ErrorStatistics> LandmarkEvaluation::evaluate(unsigned state,
+                                                            const mesh::UnloadedMesh& mesh) const {
+  const evaluation::PointMapper mapper(mesh);
+  std::vector<double> errors;
+  for (const evaluation::Landmark& landmark : landmarks_)
+    if (landmark.unloaded)
+      errors.push_back(mapper.to_unloaded(state == 0 ? landmark.prone : landmark.supine)
+                           .distance(*landmark.unloaded));
+  if (errors.empty())
+    return {};
+  return evaluation::statistics(std::move(errors));
+}
+
 void LandmarkEvaluation::write(const std::filesystem::path& file) const {
   if (has_landmarks())
     evaluation::write_landmarks(mapped_, file);

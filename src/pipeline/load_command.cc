@@ -22,9 +22,10 @@ public:
 private:
   bool has_mesh() const { return !stages_.single_state.mesh.empty(); }
 
-  /// A mesh makes the labels needless, unless there is an image.
+  /// A mesh makes the labels needless, unless there is an image or tissue slides.
   void read() override {
-    if (!has_mesh() || !stages_.scene.images[state_].empty())
+    if (!has_mesh() || !stages_.scene.images[state_].empty() ||
+        stages_.supports.need_labels(stages_.scene.chest()))
       SingleStateJob::read();
   }
 

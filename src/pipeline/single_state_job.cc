@@ -2,12 +2,14 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <limits>
 #include <utility>
 
 #include "prosup/core/collective.h"
 #include "prosup/core/parameters.h"
 #include "prosup/core/result_folder.h"
 #include "prosup/evaluation/point_mapper.h"
+#include "prosup/image/broadcast.h"
 #include "prosup/image/filters.h"
 #include "prosup/image/image_io.h"
 #include "prosup/mesh/deformation.h"
@@ -19,6 +21,18 @@
 namespace prosup::pipeline {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double largest_change = 1e-3; // mm, of positions when areas have settled
+
+double largest_difference(const mechanics::NodeVector& a, const mechanics::NodeVector& b) {
+  mechanics::NodeVector difference = a;
+  difference -= b;
+  return difference.linfty_norm();
+}
+
+} // namespace
 
 SingleStateJob::SingleStateJob(const Stages& stages, MPI_Comm world, std::string command,
                                std::string simulation)
@@ -37,15 +51,22 @@ bool SingleStateJob::run(const dealii::ParameterHandler& parameters, const fs::p
              [&] { on_root(world_, [&] { write(parameters, folder->path()); }); });
   const double memory = peak_memory(world_);
   on_root(world_, [&] {
-    output::write_summary(summary(memory), folder->path() / "summary.json");
+    const output::Summary results = summary(memory);
+    output::write_summary(results, folder->path() / "summary.json");
     folder->commit();
+    if (results.tre.unloaded)
+      log_.line(format("  landmarks: %.2f mm mean, %.2f mm max from their true unloaded positions",
+                       results.tre.unloaded->mean, results.tre.unloaded->max));
     log_.line("\n" + timer_.table() + "\n\nResults are in " + output.string());
   });
   return converged_;
 }
 
 void SingleStateJob::read() {
+  landmarks_.read(stages_.scene.landmarks);
   labels_ = stages_.inputs.read_labels(stages_.scene, state_);
+  if (!stages_.scene.labels[1 - state_].empty() && stages_.supports.need_other_labels())
+    other_labels_ = stages_.inputs.read_labels(stages_.scene, 1 - state_);
   original_ = stages_.inputs.read_image(stages_.scene, state_);
 }
 
@@ -56,15 +77,27 @@ std::vector<mechanics::LameParameters> SingleStateJob::material(const mechanics:
 
 mechanics::NodeVector SingleStateJob::equilibrium(const mechanics::Body& body,
                                                   Direction direction) {
-  mechanics::NodeVector positions =
-      stages_.single_state.is_explicit() ? settle(body, direction) : solve(body, direction);
+  const auto supports = make_supports(body);
+  mechanics::NodeVector positions = stages_.single_state.is_explicit()
+                                        ? settle(*supports, direction)
+                                        : solve(*supports, direction);
   positions.update_ghost_values();
   return positions;
 }
 
+std::unique_ptr<mechanics::Supports> SingleStateJob::make_supports(const mechanics::Body& body) {
+  const unloading::ChestCondition chest = stages_.scene.chest();
+  if (stages_.supports.need_labels(chest))
+    image::broadcast(labels_, world_);
+  image::broadcast(other_labels_, world_);
+  return stages_.supports.make(chest, body, labels_, other_labels_, stages_.mesher.chest_label);
+}
+
 /// By damped motion.
-mechanics::NodeVector SingleStateJob::settle(const mechanics::Body& body, Direction direction) {
-  unloading::Unloading motion(stages_.unloading, body, stages_.scene.gravity[state_], name_, log_);
+mechanics::NodeVector SingleStateJob::settle(mechanics::Supports& supports, Direction direction) {
+  const mechanics::Body& body = supports.body();
+  unloading::Unloading motion(stages_.unloading, supports, stages_.scene.gravity[state_], name_,
+                              log_);
   if (direction == Direction::load)
     motion.hold_reference();
   motion.set_material(material(body));
@@ -79,17 +112,26 @@ mechanics::NodeVector SingleStateJob::settle(const mechanics::Body& body, Direct
 }
 
 /// By Newton's method.
-mechanics::NodeVector SingleStateJob::solve(const mechanics::Body& body, Direction direction) {
+mechanics::NodeVector SingleStateJob::solve(mechanics::Supports& supports, Direction direction) {
+  const mechanics::Body& body = supports.body();
   mechanics::QuasiStatic quasi_static(stages_.quasi_static, body, log_);
-  const auto& fixed = stages_.unloading.fixed_boundaries;
+  const auto nodal_force = supports.nodal_force(stages_.supports.contact_stiffness);
   quasi_static.set_material(material(body));
-  quasi_static.set_fixed_nodes(body.nodes_on_boundary({fixed.begin(), fixed.end()}));
+  quasi_static.set_fixed_nodes(supports.fixed());
+  quasi_static.set_nodal_force(nodal_force.get());
   quasi_static.set_body_force(body_force(stages_, state_));
   mechanics::NodeVector positions = body.vertex_positions();
   positions.update_ghost_values();
   mechanics::QuasiStaticResult result;
+  supports.set_reference(positions);
   if (direction == Direction::unload) {
-    result = quasi_static.unload(body.vertex_positions(), positions);
+    // The areas on which springs act are those of the unloaded configuration.
+    for (double change = std::numeric_limits<double>::max(); change > largest_change;) {
+      const mechanics::NodeVector before = positions;
+      result = quasi_static.unload(body.vertex_positions(), positions);
+      supports.set_reference(positions);
+      change = supports.spring_stiffness().empty() ? 0. : largest_difference(before, positions);
+    }
   } else {
     mechanics::NodeVector displacement;
     body.initialize(displacement);
@@ -136,6 +178,7 @@ output::Summary SingleStateJob::summary(double memory) const {
   (state_ == 0 ? summary.prone : summary.supine) = output::StateSummary{
       quality.n_cells, quality.n_nodes, quality.min_quality, mesh::min_jacobian(mesh_)};
   summary.steps = n_steps_;
+  summary.tre.unloaded = error();
   summary.shear_modulus = stages_.material.initial_shear_modulus();
   summary.time.mesh = timer_.seconds("Meshing");
   summary.time.unloading = timer_.seconds(simulation_);

@@ -8,6 +8,7 @@
 #include "prosup/output/summary.h"
 #include "prosup/pipeline/body_building.h"
 #include "prosup/pipeline/commands.h"
+#include "prosup/pipeline/landmark_evaluation.h"
 #include "prosup/pipeline/stage_timer.h"
 
 namespace prosup::pipeline {
@@ -34,6 +35,9 @@ protected:
   /// Fields and images of `mesh_`, on rank 0.
   virtual void write_images(const std::filesystem::path& folder) const = 0;
 
+  /// Distances of landmarks from their true unloaded positions, where known.
+  virtual std::optional<evaluation::ErrorStatistics> error() const { return {}; }
+
   enum class Direction { load, unload };
   /// The other configuration of a body whose nodes stand where they do in the
   /// mesh, by the chosen solver: loaded or unloaded positions, mm. Collective.
@@ -52,20 +56,22 @@ protected:
   MPI_Comm world_;
   const Log log_;
   std::optional<OriginalImage> original_;
+  LandmarkEvaluation landmarks_;
   mesh::UnloadedMesh mesh_;
   unsigned n_steps_ = 0;
   bool converged_ = false;
 
 private:
-  mechanics::NodeVector settle(const mechanics::Body& body, Direction direction);
-  mechanics::NodeVector solve(const mechanics::Body& body, Direction direction);
+  std::unique_ptr<mechanics::Supports> make_supports(const mechanics::Body& body);
+  mechanics::NodeVector settle(mechanics::Supports& supports, Direction direction);
+  mechanics::NodeVector solve(mechanics::Supports& supports, Direction direction);
   std::vector<mechanics::LameParameters> material(const mechanics::Body& body) const;
   void write(const dealii::ParameterHandler& parameters, const std::filesystem::path& folder) const;
   output::Summary summary(double memory) const;
 
   const std::string command_, simulation_;
   StageTimer timer_;
-  image::LabelImage labels_;
+  image::LabelImage labels_, other_labels_;
 };
 
 } // namespace prosup::pipeline

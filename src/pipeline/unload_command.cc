@@ -19,6 +19,10 @@ private:
     return {mesh, mesh::at_nodes(mesh, body->gather_at_cells(unloaded))};
   }
 
+  std::optional<evaluation::ErrorStatistics> error() const override {
+    return landmarks_.evaluate(state_, mesh_);
+  }
+
   void write_images(const std::filesystem::path& folder) const override {
     const image::VectorImage field =
         write_field(mesh_, folder / ("unloaded_to_" + name_ + ".nrrd"));

@@ -28,33 +28,26 @@ Tensor<1, 3> gravity_vector(const UnloadingParameters& parameters, const Tensor<
   return parameters.gravity * direction / direction.norm();
 }
 
-std::set<types::boundary_id> boundary_ids(const std::set<unsigned>& ids) {
-  return {ids.begin(), ids.end()};
-}
-
 } // namespace
 
-Unloading::Unloading(const UnloadingParameters& parameters, const mechanics::Body& body,
+Unloading::Unloading(const UnloadingParameters& parameters, mechanics::Supports& supports,
                      const Tensor<1, 3>& gravity_direction, std::string name, const Log& log)
-    : parameters_(parameters), body_(body), gravity_(gravity_vector(parameters, gravity_direction)),
-      name_(std::move(name)), log_(log),
-      fixed_(body.nodes_on_boundary(boundary_ids(parameters.fixed_boundaries))),
-      internal_force_(body), highest_frequency_(body, internal_force_),
-      integrator_(body, internal_force_),
-      damping_(parameters.damping_scheme(), parameters.damping_rate, body),
+    : parameters_(parameters), supports_(supports), body_(supports.body()),
+      gravity_(gravity_vector(parameters, gravity_direction)), name_(std::move(name)), log_(log),
+      internal_force_(body_), highest_frequency_(body_, internal_force_),
+      integrator_(supports, internal_force_),
+      damping_(parameters.damping_scheme(), parameters.damping_rate, body_),
       lag_factor_(parameters.lag_factor), safety_(parameters.step_safety) {
-  if (Utilities::MPI::max(static_cast<int>(std::count(fixed_.begin(), fixed_.end(), true)),
-                          body.communicator()) == 0)
-    throw Error("No node of " + name_ +
-                " is held: none of the boundaries in 'Unloading/Fixed "
-                "boundaries' exists on its mesh; name at least one that does.");
+  if (!supports.hold_anything())
+    throw Error("Nothing holds " + name_ +
+                ": its mesh has neither a chest wall nor cut planes, or both are set free; check "
+                "the labels, 'Meshing/Chest label' and 'Supports/Cut planes'.");
   for (NodeVector* vector : {&state_.unloaded, &state_.displacement, &state_.velocity,
                              &state_.force, &state_.force_increment, &external_force_})
-    body.initialize(*vector);
-  state_.unloaded = body.vertex_positions();
+    body_.initialize(*vector);
+  state_.unloaded = body_.vertex_positions();
   state_.unloaded.update_ghost_values();
   state_.displacement.update_ghost_values();
-  integrator_.set_fixed_nodes(fixed_);
   integrator_.set_damping(parameters.damping_rate);
 }
 
@@ -89,6 +82,7 @@ UnloadingResult Unloading::simulate(unsigned max_steps, bool until_settled) {
     state_.time += duration;
     state_.loading += duration * damping_.time_scale();
     update_external_force();
+    supports_.linearize(state_.unloaded, state_.displacement);
     min_jacobian_ = std::numeric_limits<double>::max();
     for (unsigned i = 0; i < n; ++i) {
       min_jacobian_ =
@@ -134,16 +128,18 @@ void Unloading::correct_unloaded_positions() {
     double& X = state_.unloaded.local_element(i);
     X += beta * (loaded.local_element(i) - state_.displacement.local_element(i) - X);
   }
+  supports_.put_on_surfaces(state_.unloaded);
   update_reference();
 }
 
 void Unloading::update_reference() {
   reference_volume_ =
       Utilities::MPI::min(internal_force_.set_reference(state_.unloaded), body_.communicator());
+  supports_.set_reference(state_.unloaded);
   nodal_volume_ = internal_force_.nodal_volume();
   double weight = 0.;
   for (unsigned node = 0; node < body_.n_owned_nodes(); ++node)
-    if (!fixed_[node])
+    if (!supports_.fixed()[node])
       weight += (parameters_.density * nodal_volume_[node] * gravity_).norm_square();
   weight_norm_ = std::sqrt(Utilities::MPI::sum(weight, body_.communicator()));
   if (!(weight_norm_ > 0.)) // no gravity: residuals are then relative to any force
@@ -151,8 +147,8 @@ void Unloading::update_reference() {
 }
 
 void Unloading::update_mass() {
-  integrator_.set_mass(mechanics::stable_mass(body_, internal_force_, highest_frequency_,
-                                              state_.displacement, fixed_, parameters_.density,
+  integrator_.set_mass(mechanics::stable_mass(supports_, internal_force_, highest_frequency_,
+                                              state_.displacement, parameters_.density,
                                               parameters_.scaled_fraction),
                        safety_);
   // All of the body faster than it would be after falling freely through its

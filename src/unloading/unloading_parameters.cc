@@ -68,10 +68,6 @@ void UnloadingParameters::declare_parameters(ParameterHandler& prm) {
       "How often a diverging simulation goes back to its last good state and continues "
       "with a longer lag and a smaller step. Units: none.",
       Patterns::Integer(0, 100));
-  prm.add_parameter("Fixed boundaries", fixed_boundaries,
-                    "Boundary ids whose nodes do not move: 1 chest wall, 2 cut planes, 3 skin. "
-                    "Units: none.",
-                    Patterns::List(Patterns::Integer(0, 1000), 0, 100));
 }
 
 } // namespace prosup::unloading

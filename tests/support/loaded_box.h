@@ -12,11 +12,9 @@ namespace prosup::tests {
 using dealii::Point;
 using dealii::Tensor;
 
-/// Parameters for a box that hangs from its face at high y, with tolerances
-/// that leave no doubt.
+/// Parameters with tolerances that leave no doubt.
 struct HangingBoxParameters : unloading::UnloadingParameters {
   HangingBoxParameters() {
-    fixed_boundaries = {3};
     residual_tolerance = 1e-6;
     position_tolerance = 1e-4;
     damping_rate = 40.;
@@ -35,7 +33,8 @@ struct LoadedBox {
     // On one rank each: the forward simulation is not what is distributed here.
     const auto mesh = make_box(MPI_COMM_SELF, n, size);
     const mechanics::Body body(*mesh);
-    unloading::Unloading loading(parameters, body, gravity);
+    mechanics::Supports supports(body, {3});
+    unloading::Unloading loading(parameters, supports, gravity);
     loading.hold_reference();
     loading.set_material(material);
     EXPECT_TRUE(loading.run().converged);

@@ -42,7 +42,8 @@ double explicit_sag(double mu) {
   const auto mesh = tests::make_box(MPI_COMM_WORLD, n_bricks, size);
   const Body body(*mesh, Element{ElementType::quadratic});
   const tests::HangingBoxParameters parameters;
-  unloading::Unloading loading(parameters, body, Tensor<1, 3>({0., -1., 0.}));
+  Supports supports(body, {3});
+  unloading::Unloading loading(parameters, supports, Tensor<1, 3>({0., -1., 0.}));
   loading.hold_reference();
   loading.set_material({lame_parameters(mu, 0.)});
   EXPECT_TRUE(loading.run().converged);

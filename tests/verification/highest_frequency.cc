@@ -20,7 +20,7 @@ namespace {
 double dense_eigenvalue(const MovingBox& box, const std::vector<double>& mass) {
   std::vector<unsigned> free;
   for (unsigned i = 0; i < 3 * box.body.n_owned_nodes(); ++i)
-    if (!box.fixed[i / 3])
+    if (!box.supports.fixed()[i / 3])
       free.push_back(i);
   const unsigned n = free.size();
   FullMatrix<double> differences(n);

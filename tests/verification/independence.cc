@@ -38,7 +38,8 @@ double settled_difference(const Body& body, const Settings& settings, const Node
   parameters.gravity_ramp = settings.ramp;
   parameters.scaled_fraction = settings.scaled_fraction;
   parameters.lag_factor = settings.lag_factor;
-  unloading::Unloading unloading(parameters, body, Tensor<1, 3>({0., -1., 0.}));
+  mechanics::Supports supports(body, {3});
+  unloading::Unloading unloading(parameters, supports, Tensor<1, 3>({0., -1., 0.}));
   unloading.set_material({material});
   EXPECT_TRUE(unloading.run().converged) << settings.damping;
   return tests::largest_difference(unloading.unloaded(), expected);

@@ -20,7 +20,7 @@ struct MovingBox {
       : material({mechanics::lame_parameters(300., poisson_ratio)}),
         mesh(make_box(communicator, n, {20., 25., 30.}, distortion)),
         body(*mesh, mechanics::Element{type}), forces(body), highest_frequency(body, forces),
-        fixed(body.nodes_on_boundary({3})) {
+        supports(body, {3}) {
     forces.set_material(material);
     forces.set_reference(body.vertex_positions());
     body.initialize(displacement);
@@ -28,7 +28,7 @@ struct MovingBox {
   }
 
   mechanics::StableMass mass(double scaled_fraction = 0.) {
-    return mechanics::stable_mass(body, forces, highest_frequency, displacement, fixed, density,
+    return mechanics::stable_mass(supports, forces, highest_frequency, displacement, density,
                                   scaled_fraction);
   }
 
@@ -37,7 +37,7 @@ struct MovingBox {
   mechanics::Body body;
   mechanics::InternalForce forces;
   mechanics::HighestFrequency highest_frequency;
-  const std::vector<bool> fixed;
+  mechanics::Supports supports;
   mechanics::NodeVector displacement;
 };
 

@@ -58,8 +58,8 @@ struct Breast {
   /// Settled positions: x of the body taken as unloaded, or X of it taken as loaded.
   Corners settle(Way way) const {
     tests::HangingBoxParameters parameters;
-    parameters.fixed_boundaries = {1, 2};
-    unloading::Unloading simulation(parameters, body, prone);
+    Supports supports(body, {1, 2});
+    unloading::Unloading simulation(parameters, supports, prone);
     if (way == Way::forward)
       simulation.hold_reference();
     simulation.set_material(material);

@@ -37,8 +37,7 @@ EnergyBalance swing(ElementType type, unsigned n, unsigned n_steps) {
   for (unsigned node = 0; node < box.body.n_owned_nodes(); ++node)
     weight.local_element(3 * node + 1) = -MovingBox::density * gravity * volume[node];
 
-  CentralDifferences integrator(box.body, box.forces);
-  integrator.set_fixed_nodes(box.fixed);
+  CentralDifferences integrator(box.supports, box.forces);
   const StableMass mass = box.mass();
   integrator.set_mass(mass, 0.9);
   weight *= 0.5; // half an impulse from rest to the first half step
@@ -79,8 +78,7 @@ double energy_growth(ElementType type, double safety) {
   MovingBox box({3, 3, 3}, type, 0.45, tests::jittered);
   NodeVector none;
   box.body.initialize(none);
-  CentralDifferences integrator(box.body, box.forces);
-  integrator.set_fixed_nodes(box.fixed);
+  CentralDifferences integrator(box.supports, box.forces);
   integrator.set_mass(box.mass(), safety);
   for (unsigned i = 0; i < 3 * box.body.n_owned_nodes(); ++i)
     integrator.velocity().local_element(i) =

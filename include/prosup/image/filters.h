@@ -68,6 +68,11 @@ LabelImage fill_holes(const LabelImage& mask);
 /// @throws Error if the mask has no inside or no outside.
 ScalarImage signed_distance(const LabelImage& mask);
 
+/// Adds `n_layers` voxels all round, continuing the values as an odd function
+/// about each border voxel, so that what is linear goes on linearly; the value
+/// goes on unchanged along an axis of one voxel.
+ScalarImage extended(const ScalarImage& image, unsigned n_layers);
+
 /// Gives each voxel where `known` is zero the value of the nearest voxel (in
 /// mm, between centres) where it is not.
 /// @throws Error if nothing is known or the sizes differ.

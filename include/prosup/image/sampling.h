@@ -8,12 +8,14 @@
 
 namespace prosup::image {
 
-/// Trilinear interpolation of an image, for hot loops. Keeps a pointer to the
-/// image, which must outlive it and have at least one voxel. Beyond the centres
-/// of the border voxels the value is that of the nearest point between them.
-class Sampler {
+/// Trilinear interpolation of an image, for hot loops, in arithmetic of type
+/// Real. Keeps a pointer to the image, which must outlive it and have at least
+/// one voxel. Beyond the centres of the border voxels the value is that of the
+/// nearest point between them.
+template <typename Real>
+class BasicSampler {
 public:
-  explicit Sampler(const ScalarImage& image) : values_(image.values.data()) {
+  explicit BasicSampler(const ScalarImage& image) : values_(image.values.data()) {
     const VoxelGrid& grid = image.grid;
     for (unsigned d = 0; d < 3; ++d) {
       offset_[d] = 0.;
@@ -33,34 +35,34 @@ public:
   }
 
   /// Value at a physical position (LPS, mm).
-  float value(const Point<3>& position) const {
+  Real value(const Point<3>& position) const {
     const Cell cell = locate(position);
-    float face[4];
+    Real face[4];
     along_first_axis(cell, face);
-    const float low = face[0] + cell.t[1] * (face[1] - face[0]);
-    const float high = face[2] + cell.t[1] * (face[3] - face[2]);
+    const Real low = face[0] + cell.t[1] * (face[1] - face[0]);
+    const Real high = face[2] + cell.t[1] * (face[3] - face[2]);
     return low + cell.t[2] * (high - low);
   }
 
   /// Value, and the exact derivative of the interpolant in physical space,
   /// value per mm. Where the position is clamped along an axis of the grid, the
   /// derivative along that axis is zero.
-  float value_and_gradient(const Point<3>& position, Tensor<1, 3>& gradient_per_mm) const {
+  Real value_and_gradient(const Point<3>& position, Tensor<1, 3>& gradient_per_mm) const {
     const Cell cell = locate(position);
     const float* v = cell.corner;
     const long s1 = stride_[1], s2 = stride_[2];
-    float face[4];
+    Real face[4];
     along_first_axis(cell, face);
-    float slope[4];
+    Real slope[4];
     for (unsigned f = 0; f < 4; ++f) {
       const float* at = v + (f & 1u ? s1 : 0) + (f & 2u ? s2 : 0);
       slope[f] = at[stride_[0]] - at[0];
     }
-    const float low = face[0] + cell.t[1] * (face[1] - face[0]);
-    const float high = face[2] + cell.t[1] * (face[3] - face[2]);
-    const float slope_low = slope[0] + cell.t[1] * (slope[1] - slope[0]);
-    const float slope_high = slope[2] + cell.t[1] * (slope[3] - slope[2]);
-    const float rise_low = face[1] - face[0], rise_high = face[3] - face[2];
+    const Real low = face[0] + cell.t[1] * (face[1] - face[0]);
+    const Real high = face[2] + cell.t[1] * (face[3] - face[2]);
+    const Real slope_low = slope[0] + cell.t[1] * (slope[1] - slope[0]);
+    const Real slope_high = slope[2] + cell.t[1] * (slope[3] - slope[2]);
+    const Real rise_low = face[1] - face[0], rise_high = face[3] - face[2];
     const double per_voxel[3] = {cell.free[0] * (slope_low + cell.t[2] * (slope_high - slope_low)),
                                  cell.free[1] * (rise_low + cell.t[2] * (rise_high - rise_low)),
                                  cell.free[2] * (high - low)};
@@ -84,8 +86,8 @@ public:
 private:
   struct Cell {
     const float* corner; // the voxel of lowest index
-    float t[3];          // position in the cell, 0 to 1
-    float free[3];       // 0 where clamped, else 1
+    Real t[3];           // position in the cell, 0 to 1
+    Real free[3];        // 0 where clamped, else 1
   };
 
   double index(const Point<3>& p, unsigned d) const {
@@ -102,14 +104,14 @@ private:
       // instead of an address outside the image.
       const double clamped = std::min(std::max(0., x), last_[d]);
       start[d] = std::min(long(clamped), last_cell_[d]);
-      cell.t[d] = float(clamped - double(start[d]));
-      cell.free[d] = x == clamped ? 1.f : 0.f;
+      cell.t[d] = Real(clamped - double(start[d]));
+      cell.free[d] = x == clamped ? Real(1) : Real(0);
     }
     cell.corner = values_ + start[0] + row_ * start[1] + slice_ * start[2];
     return cell;
   }
 
-  void along_first_axis(const Cell& cell, float (&face)[4]) const {
+  void along_first_axis(const Cell& cell, Real (&face)[4]) const {
     for (unsigned f = 0; f < 4; ++f) {
       const float* at = cell.corner + (f & 1u ? stride_[1] : 0) + (f & 2u ? stride_[2] : 0);
       face[f] = at[0] + cell.t[0] * (at[stride_[0]] - at[0]);
@@ -124,6 +126,8 @@ private:
   long stride_[3]; // to the next voxel of a cell
   long row_, slice_;
 };
+
+using Sampler = BasicSampler<float>;
 
 /// Label of the voxel that holds a physical position (LPS, mm); 0 outside the
 /// field of view.

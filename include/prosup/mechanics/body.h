@@ -7,6 +7,7 @@
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <set>
 #include <vector>
@@ -69,8 +70,14 @@ public:
   /// result is known for ghosts too. Collective.
   std::vector<double> sum_over_ranks(const std::vector<double>& at_local_nodes) const;
 
-  /// For each local node: does it lie on a boundary face with one of `ids`?
-  std::vector<bool> nodes_on_boundary(const std::set<dealii::types::boundary_id>& ids) const;
+  /// Whether a boundary face with this centre (mm) and unit normal counts.
+  using FaceFilter =
+      std::function<bool(const dealii::Tensor<1, 3>& centre, const dealii::Tensor<1, 3>& normal)>;
+
+  /// For each local node: does it lie on a boundary face with one of `ids` (that
+  /// passes the filter, if one is given)? Collective.
+  std::vector<bool> nodes_on_boundary(const std::set<dealii::types::boundary_id>& ids,
+                                      const FaceFilter& counts = {}) const;
 
   /// Area of the boundary faces with one of `ids` lumped to the local nodes,
   /// mm^2, with nodes at `positions`: a third of a linear face at each corner;

@@ -6,6 +6,7 @@
 #include "prosup/mechanics/body.h"
 #include "prosup/mechanics/critical_step.h"
 #include "prosup/mechanics/internal_force.h"
+#include "prosup/mechanics/supports.h"
 
 namespace prosup::mechanics {
 
@@ -20,16 +21,17 @@ struct StableMass {
 /// few badly shaped elements would rule the step, so that the fraction
 /// `scaled_fraction` of the nodes with the smallest 2 sqrt(m_a / k_a), k_a being
 /// InternalForce::stiffness_bound, gets the mass that suits the step of the
-/// others. The settled state does not depend on it. Collective.
-StableMass stable_mass(const Body& body, const InternalForce& internal_force,
+/// others. Springs of the supports count as part of the body. The settled state
+/// does not depend on it. Collective.
+StableMass stable_mass(const Supports& supports, const InternalForce& internal_force,
                        HighestFrequency& highest_frequency, const NodeVector& displacement,
-                       const std::vector<bool>& fixed, double density, double scaled_fraction);
+                       double density, double scaled_fraction);
 
 /// What one step tells of the state, over all ranks of the body.
 struct StepReport {
   double min_jacobian = 0.;   ///< smallest J
   double kinetic_energy = 0.; ///< g mm^2/s^2
-  double residual_norm = 0.;  ///< |external - internal force| of the free nodes, g mm/s^2
+  double residual_norm = 0.;  ///< |sum of forces| of the free nodes, g mm/s^2
 };
 
 /// Explicit central differences with damping proportional to the speed, the
@@ -38,9 +40,9 @@ struct StepReport {
 /// f being external minus internal force.
 class CentralDifferences {
 public:
-  CentralDifferences(const Body& body, const InternalForce& internal_force);
+  /// Keeps references. Fixed nodes are those of the supports at construction.
+  CentralDifferences(const Supports& supports, const InternalForce& internal_force);
 
-  void set_fixed_nodes(const std::vector<bool>& fixed);
   /// Steps are `safety` times the critical one.
   void set_mass(const StableMass& mass, double safety);
   void set_damping(double rate) { damping_rate_ = rate; } ///< r/rho, 1/s
@@ -57,13 +59,15 @@ public:
   /// Energy and residual of the last step; collective.
   StepReport report() const;
 
-  /// External minus internal force of the last step, zero at fixed nodes.
+  /// Sum of all forces of the last step, zero at fixed nodes and tangential where
+  /// nodes slide.
   const NodeVector& force() const { return force_; }
   NodeVector& velocity() { return velocity_; }
   const NodeVector& velocity() const { return velocity_; }
 
 private:
   const Body& body_;
+  const Supports& supports_;
   const InternalForce& internal_force_;
   std::vector<double> mass_;
   double time_step_ = 0.;

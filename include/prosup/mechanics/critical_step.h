@@ -23,7 +23,8 @@ public:
     unsigned n_products = 0; ///< with K, two evaluations of the internal force each
 
     /// Largest stable step of central differences, s; not above the true one.
-    double critical_step() const;
+    /// `added` (1/s^2) is a bound on what other forces add to omega^2.
+    double critical_step(double added = 0.) const;
   };
 
   HighestFrequency(const Body& body, const InternalForce& internal_force);

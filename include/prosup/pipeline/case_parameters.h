@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <string>
 
+#include "prosup/unloading/support_parameters.h"
+
 namespace prosup::pipeline {
 
 /// What belongs to a case and not to the method, section "Case". File names
@@ -31,6 +33,8 @@ public:
   /// 0 prone, 1 supine: what `mesh`, `unload` and `load` work on.
   unsigned state() const { return state_ == "prone" ? 0 : 1; }
 
+  unloading::ChestCondition chest() const;
+
   std::array<std::string, 2> images; ///< prone, supine
   std::array<std::string, 2> labels;
   std::array<dealii::Tensor<1, 3>, 2> gravity;
@@ -38,7 +42,7 @@ public:
 
 private:
   std::string state_ = "prone";
-  std::string chest_ = "fixed";
+  std::string chest_;
   std::string method_ = "fe";
 };
 

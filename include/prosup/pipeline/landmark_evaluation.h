@@ -28,6 +28,11 @@ public:
   std::optional<evaluation::ErrorStatistics>
   evaluate(const std::array<mesh::UnloadedMesh, 2>& meshes);
 
+  /// Distances of the unloaded positions found from one state (0 prone, 1 supine)
+  /// from the true ones, where these are known.
+  std::optional<evaluation::ErrorStatistics> evaluate(unsigned state,
+                                                      const mesh::UnloadedMesh& mesh) const;
+
   /// The landmarks of the last evaluation, as CSV.
   void write(const std::filesystem::path& file) const;
 

@@ -17,6 +17,7 @@
 #include "prosup/registration/image_force_registration.h"
 #include "prosup/registration/material_update.h"
 #include "prosup/registration/similarity_setup.h"
+#include "prosup/unloading/support_parameters.h"
 #include "prosup/unloading/unloading_parameters.h"
 
 namespace prosup::pipeline {
@@ -29,6 +30,7 @@ struct Stages {
   InputReader inputs{mesher};
   mechanics::ElementParameters elements;
   mechanics::TissueMaterial material;
+  unloading::SupportParameters supports;
   unloading::UnloadingParameters unloading;
   mechanics::QuasiStaticParameters quasi_static;
   SingleStateParameters single_state;

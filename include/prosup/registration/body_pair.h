@@ -44,6 +44,7 @@ private:
 /// One state of the breast, where this rank works on it.
 struct BodyState {
   std::unique_ptr<mechanics::Body> body;
+  std::unique_ptr<mechanics::Supports> supports;
   std::unique_ptr<unloading::Unloading> unloading;
   image::ScalarImage image; ///< loaded, intensities scaled to [0, 1]
 };

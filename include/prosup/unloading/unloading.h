@@ -11,6 +11,7 @@
 #include "prosup/mechanics/central_differences.h"
 #include "prosup/mechanics/damping.h"
 #include "prosup/mechanics/internal_force.h"
+#include "prosup/mechanics/supports.h"
 #include "prosup/unloading/unloading_parameters.h"
 
 namespace prosup::unloading {
@@ -32,7 +33,9 @@ struct UnloadingResult {
 /// loaded position x of each node is known. A forward simulation on the
 /// current X predicts the displacement u, and every n steps
 ///   X <- X + beta (x - u - X),  beta = min(1, n h/tau), tau = lag factor/(r/rho).
-/// Where it settles, internal(X -> x) = gravity + extra force, and X + u = x.
+/// Where it settles, internal(X -> x) = gravity + extra force + supports, and
+/// X + u = x. Nodes that slide on a surface are put back to it in both
+/// configurations.
 /// Collective on the communicator of the body.
 class Unloading {
 public:
@@ -44,7 +47,9 @@ public:
   };
 
   /// `gravity_direction` is a direction in LPS of any positive length.
-  Unloading(const UnloadingParameters& parameters, const mechanics::Body& body,
+  /// Keeps references to parameters and supports. @throws Error if nothing holds
+  /// the body.
+  Unloading(const UnloadingParameters& parameters, mechanics::Supports& supports,
             const dealii::Tensor<1, 3>& gravity_direction, std::string name = "body",
             const Log& log = Log());
 
@@ -79,6 +84,8 @@ public:
   const NodeVector& unloaded() const { return state_.unloaded; }
   /// u of the forward simulation, mm, with ghosts.
   const NodeVector& displacement() const { return state_.displacement; }
+  /// Largest distance of a node that slides from its surface, mm. Collective.
+  double largest_gap() const { return supports_.largest_gap(unloaded(), displacement()); }
   double time_step() const { return integrator_.time_step(); }
   const std::string& name() const { return name_; }
 
@@ -98,11 +105,11 @@ private:
   State state_with_velocity() const;
 
   const UnloadingParameters& parameters_;
+  mechanics::Supports& supports_;
   const mechanics::Body& body_;
   const dealii::Tensor<1, 3> gravity_;
   const std::string name_;
   const Log log_;
-  const std::vector<bool> fixed_;
   mechanics::InternalForce internal_force_;
   mechanics::HighestFrequency highest_frequency_;
   mechanics::CentralDifferences integrator_;

@@ -3,8 +3,6 @@
 
 #include <deal.II/base/parameter_acceptor.h>
 
-#include <set>
-
 #include "prosup/core/units.h"
 #include "prosup/mechanics/damping.h"
 
@@ -32,7 +30,6 @@ public:
   double step_safety = 0.9;    ///< of the critical time step
   double scaled_fraction = 1.; ///< of the nodes
   unsigned max_retries = 6;
-  std::set<unsigned> fixed_boundaries{1, 2};
 };
 
 } // namespace prosup::unloading

@@ -12,11 +12,10 @@ using namespace prosup::mechanics;
 
 namespace {
 
-StableMass mass_of(const Body& body, const InternalForce& kernel, const NodeVector& u,
+StableMass mass_of(const Supports& supports, const InternalForce& kernel, const NodeVector& u,
                    double scaled_fraction = 0.) {
-  HighestFrequency highest_frequency(body, kernel);
-  return stable_mass(body, kernel, highest_frequency, u,
-                     std::vector<bool>(body.n_local_nodes(), false), 1e-3, scaled_fraction);
+  HighestFrequency highest_frequency(supports.body(), kernel);
+  return stable_mass(supports, kernel, highest_frequency, u, 1e-3, scaled_fraction);
 }
 
 /// A free block that starts with a rough velocity field; returns the largest
@@ -31,8 +30,9 @@ double energy_growth(double safety) {
   body.initialize(u);
   u.update_ghost_values();
   body.initialize(external);
-  CentralDifferences integrator(body, kernel);
-  integrator.set_mass(mass_of(body, kernel, u), safety);
+  const Supports supports(body);
+  CentralDifferences integrator(supports, kernel);
+  integrator.set_mass(mass_of(supports, kernel, u), safety);
   for (unsigned i = 0; i < 3 * body.n_owned_nodes(); ++i)
     integrator.velocity().local_element(i) =
         1e-3 * std::sin(7.3 * body.vertex_positions().local_element(i) + 2. * (i % 3));
@@ -71,8 +71,9 @@ TEST(CentralDifferences, MassScalingOnlyRaisesMasses) {
   NodeVector u;
   body.initialize(u);
   u.update_ghost_values();
-  const StableMass plain = mass_of(body, kernel, u);
-  const StableMass scaled = mass_of(body, kernel, u, 0.3);
+  const Supports supports(body);
+  const StableMass plain = mass_of(supports, kernel, u);
+  const StableMass scaled = mass_of(supports, kernel, u, 0.3);
   EXPECT_GT(scaled.critical_step, 1.2 * plain.critical_step);
   // Nodes at the same distance from the limit are raised together or not at all.
   EXPECT_NEAR(scaled.scaled_fraction, 0.3, 0.1);
@@ -93,8 +94,9 @@ TEST(CentralDifferences, FallsFreelyAndFixedNodesStay) {
   const std::vector<double> volume = kernel.lumped_volume();
   for (unsigned node = 0; node < body.n_owned_nodes(); ++node)
     weight.local_element(3 * node + 1) = -1e-3 * 9810. * volume[node];
-  CentralDifferences integrator(body, kernel);
-  integrator.set_mass(mass_of(body, kernel, u), 0.9);
+  const Supports supports(body);
+  CentralDifferences integrator(supports, kernel);
+  integrator.set_mass(mass_of(supports, kernel, u), 0.9);
   for (unsigned i = 0; i < 50; ++i)
     integrator.step(weight, u);
   // u^n = -g h^2 n (n + 1) / 2 exactly, for every node.
@@ -102,9 +104,9 @@ TEST(CentralDifferences, FallsFreelyAndFixedNodesStay) {
   for (unsigned node = 0; node < body.n_owned_nodes(); ++node)
     EXPECT_NEAR(u.local_element(3 * node + 1), -9810. * h * h * 50. * 51. / 2., 1e-9);
 
-  CentralDifferences held(body, kernel);
-  held.set_mass(mass_of(body, kernel, u), 0.9);
-  held.set_fixed_nodes(std::vector<bool>(body.n_local_nodes(), true));
+  const Supports all(body, {0, 1, 2, 3, 4, 5});
+  CentralDifferences held(all, kernel);
+  held.set_mass(mass_of(all, kernel, u), 0.9);
   u = 0.;
   held.step(weight, u);
   EXPECT_EQ(u.linfty_norm(), 0.);

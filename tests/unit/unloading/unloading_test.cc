@@ -62,7 +62,8 @@ UnloadedBox unload_box(const UnloadingParameters& parameters, const LoadedBox& b
   const auto mesh =
       tests::make_box(MPI_COMM_WORLD, {n_edges, n_edges, n_edges}, {edge, edge, edge}, box);
   const mechanics::Body body(*mesh);
-  Unloading unloading(parameters, body, down);
+  mechanics::Supports supports(body, {3});
+  Unloading unloading(parameters, supports, down);
   unloading.set_material(material);
   const UnloadingResult result = unloading.run();
   return {unloading_error(box, unloading), result};
@@ -79,7 +80,8 @@ TEST(Loading, HangingColumnAgainstItsExactSolution) {
   HangingBoxParameters parameters;
   parameters.damping_rate = 25.;
   parameters.scaled_fraction = 0.;
-  Unloading loading(parameters, body, down);
+  mechanics::Supports supports(body, {3});
+  Unloading loading(parameters, supports, down);
   loading.hold_reference();
   loading.set_material({mechanics::lame_parameters(mu, 0.)});
   ASSERT_TRUE(loading.run().converged);
@@ -133,7 +135,8 @@ TEST(Unloading, GoesBackAndGivesUpWithADiagnosis) {
   const mechanics::Body body(*mesh);
   HangingBoxParameters parameters;
   parameters.max_retries = 2;
-  Unloading unloading(parameters, body, -down, "the test body");
+  mechanics::Supports supports(body, {3});
+  Unloading unloading(parameters, supports, -down, "the test body");
   unloading.set_material(jelly);
   try {
     unloading.run();
@@ -164,7 +167,7 @@ TEST(Unloading, RejectsWhatCannotBeSimulated) {
   const auto mesh = tests::make_box(MPI_COMM_WORLD, {2, 2, 2}, {10., 10., 10.});
   const mechanics::Body body(*mesh);
   HangingBoxParameters parameters;
-  EXPECT_THROW(Unloading(parameters, body, Tensor<1, 3>()), Error);
-  parameters.fixed_boundaries = {77};
-  EXPECT_THROW(Unloading(parameters, body, down), Error);
+  mechanics::Supports held(body, {3}), loose(body, {77});
+  EXPECT_THROW(Unloading(parameters, held, Tensor<1, 3>()), Error);
+  EXPECT_THROW(Unloading(parameters, loose, down), Error);
 }

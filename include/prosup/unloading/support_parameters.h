@@ -1,0 +1,63 @@
+#ifndef PROSUP_UNLOADING_SUPPORT_PARAMETERS_H
+#define PROSUP_UNLOADING_SUPPORT_PARAMETERS_H
+
+#include <deal.II/base/parameter_acceptor.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "prosup/image/voxel_image.h"
+#include "prosup/mechanics/supports.h"
+
+namespace prosup::unloading {
+
+/// How the tissue moves on the chest wall.
+enum class ChestCondition { fixed, sliding, one_sided };
+
+/// The conditions on the chest wall that can be chosen by name, in the order of
+/// the enumerators.
+const std::vector<std::string>& chest_condition_names();
+
+/// What holds a breast at the chest wall and where the image cuts it off,
+/// section "Supports"; the same for prone and supine.
+class SupportParameters : public dealii::ParameterAcceptor {
+public:
+  SupportParameters();
+  void declare_parameters(dealii::ParameterHandler& prm) override;
+
+  /// The supports of a body that was meshed from `labels`; `other` are those of
+  /// the other state, or empty if it is not known. Collective on the communicator of the
+  /// body.
+  /// @throws Error if it is to slide where there is no chest.
+  std::unique_ptr<mechanics::Supports> make(ChestCondition chest, const mechanics::Body& body,
+                                            const image::LabelImage& labels,
+                                            const image::LabelImage& other,
+                                            unsigned chest_label) const;
+
+  /// Whether make() looks at the labels of a state, or at those of the other.
+  bool need_labels(ChestCondition chest) const {
+    return chest != ChestCondition::fixed || cut_planes_ == "sliding";
+  }
+
+  bool need_other_labels() const { return cut_planes_ == "common"; }
+
+  double contact_stiffness = 1e6; ///< of Newton's penalty, g/s^2 at a node
+
+private:
+  void add_chest(ChestCondition chest, const image::LabelImage& labels, unsigned chest_label,
+                 mechanics::Supports& supports) const;
+  void add_cut_planes(const image::VoxelGrid& grid, const image::LabelImage& other,
+                      mechanics::Supports& supports) const;
+
+  double chest_stiffness_ = 4.;
+  double chest_smoothing_ = 1.5;
+  std::string contact_method_ = "projection";
+  mechanics::GradualCorrection gradual_;
+  std::string cut_planes_ = "common";
+  double cut_plane_stiffness_ = 5.;
+};
+
+} // namespace prosup::unloading
+
+#endif

@@ -1,0 +1,82 @@
+#include "prosup/unloading/chest_surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "prosup/core/error.h"
+#include "prosup/image/filters.h"
+
+namespace prosup::unloading {
+
+using namespace dealii;
+using image::LabelImage;
+using image::ScalarImage;
+using image::VoxelGrid;
+
+namespace {
+
+constexpr unsigned n_layers = 8; // around the image, where the distance goes on linearly
+
+/// The chest voxels of a part of the label image.
+LabelImage chest_mask(const LabelImage& labels, unsigned chest_label, const Point<3>& low,
+                      const Point<3>& high, double margin) {
+  std::array<std::size_t, 3> begin = labels.grid.size, end{0, 0, 0};
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    Point<3> x;
+    for (unsigned d = 0; d < 3; ++d)
+      x[d] = (corner >> d) & 1u ? high[d] + margin : low[d] - margin;
+    const Point<3> index = labels.grid.continuous_index(x);
+    for (unsigned d = 0; d < 3; ++d) {
+      const double last = double(labels.grid.size[d]) - 1.;
+      begin[d] = std::min(begin[d], std::size_t(std::clamp(std::floor(index[d]), 0., last)));
+      end[d] = std::max(end[d], std::size_t(std::clamp(std::ceil(index[d]), 0., last)) + 1);
+    }
+  }
+  VoxelGrid grid = labels.grid;
+  grid.origin = labels.grid.physical(double(begin[0]), double(begin[1]), double(begin[2]));
+  for (unsigned d = 0; d < 3; ++d)
+    grid.size[d] = end[d] - begin[d];
+  LabelImage mask(grid);
+  std::size_t v = 0;
+  for (std::size_t k = begin[2]; k < end[2]; ++k)
+    for (std::size_t j = begin[1]; j < end[1]; ++j)
+      for (std::size_t i = begin[0]; i < end[0]; ++i)
+        mask.values[v++] = labels(i, j, k) == chest_label;
+  return mask;
+}
+
+ScalarImage smooth_distance(const LabelImage& mask, double sigma_voxels) {
+  if (std::find(mask.values.begin(), mask.values.end(), 1) == mask.values.end())
+    throw Error("There is no chest wall behind the breast for it to slide on; check the labels and "
+                "'Meshing/Chest label', or hold the tissue with 'Case/Chest' = fixed.");
+  return image::gaussian_smooth(image::extended(image::signed_distance(mask), n_layers),
+                                sigma_voxels * std::cbrt(mask.grid.voxel_volume()));
+}
+
+} // namespace
+
+ChestSurface::ChestSurface(const LabelImage& labels, unsigned chest_label, double sigma_voxels,
+                           const Point<3>& low, const Point<3>& high, double margin)
+    : distance_(smooth_distance(chest_mask(labels, chest_label, low, high, margin), sigma_voxels)),
+      sampler_(distance_), step_(std::cbrt(distance_.grid.voxel_volume())) {}
+
+double ChestSurface::distance(const Tensor<1, 3>& x, Tensor<1, 3>& normal) const {
+  // Beyond the image the surface goes on straight.
+  const Point<3> index = distance_.grid.continuous_index(Point<3>(x));
+  Point<3> inside;
+  for (unsigned d = 0; d < 3; ++d) {
+    const double last = double(distance_.grid.size[d]) - 1.;
+    inside[d] = std::clamp(index[d], 2., std::max(2., last - 2.));
+  }
+  const Point<3> known = distance_.grid.physical(inside[0], inside[1], inside[2]);
+  for (unsigned d = 0; d < 3; ++d) {
+    Point<3> ahead = known, behind = known;
+    ahead[d] += step_;
+    behind[d] -= step_;
+    normal[d] = sampler_.value(ahead) - sampler_.value(behind);
+  }
+  normal /= std::max(normal.norm(), 1e-6);
+  return sampler_.value(known) + normal * (x - known);
+}
+
+} // namespace prosup::unloading

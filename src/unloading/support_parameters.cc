@@ -1,0 +1,168 @@
+#include "prosup/unloading/support_parameters.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "prosup/core/parameters.h"
+#include "prosup/image/sampling.h"
+#include "prosup/mesh/tet_mesh.h"
+#include "prosup/unloading/chest_surface.h"
+
+namespace prosup::unloading {
+
+using namespace dealii;
+using mechanics::Body;
+using mechanics::ContactLaw;
+using mechanics::ContactMethod;
+using mechanics::node_value;
+using mechanics::Supports;
+
+namespace {
+
+constexpr auto chest_wall = static_cast<types::boundary_id>(mesh::BoundaryPart::chest_wall);
+constexpr auto cut_plane = static_cast<types::boundary_id>(mesh::BoundaryPart::cut_plane);
+
+constexpr double farthest_slide = 25.;  // mm, beyond the nodes on the chest
+constexpr double least_alignment = 0.9; // of a cut face with the border it lies in
+
+bool in_field_of_view(const image::VoxelGrid& grid, const Point<3>& x) {
+  const Point<3> index = grid.continuous_index(x);
+  bool all = true;
+  for (unsigned d = 0; d < 3; ++d)
+    all = all && index[d] >= -0.5 && index[d] <= double(grid.size[d]) - 0.5;
+  return all;
+}
+
+/// Whether the tissue at a face in the border of one image is held by what lies
+/// beyond: not where the other image shows air, since it has bulged across the
+/// border there. Where the other image does not reach nothing is known.
+Body::FaceFilter held_beyond(const image::LabelImage& other) {
+  const auto& spacing = other.grid.spacing;
+  const double step = 1.5 * std::max({spacing[0], spacing[1], spacing[2]});
+  return [&other, step](const Tensor<1, 3>& centre, const Tensor<1, 3>& normal) {
+    bool is_seen = false;
+    for (const double distance : {-step, 0., step}) {
+      const Point<3> x(centre + distance * normal);
+      if (image::nearest_label(other, x) != 0)
+        return true;
+      is_seen = is_seen || in_field_of_view(other.grid, x);
+    }
+    return !is_seen;
+  };
+}
+
+/// The box that holds the nodes on the chest wall.
+std::pair<Point<3>, Point<3>> chest_box(const Body& body) {
+  const std::vector<bool> on_chest = body.nodes_on_boundary({chest_wall});
+  Point<3> low, high;
+  for (unsigned d = 0; d < 3; ++d) {
+    double least = std::numeric_limits<double>::max(), most = -least;
+    for (unsigned node = 0; node < on_chest.size(); ++node)
+      if (on_chest[node]) {
+        least = std::min(least, node_value(body.vertex_positions(), node)[d]);
+        most = std::max(most, node_value(body.vertex_positions(), node)[d]);
+      }
+    low[d] = Utilities::MPI::min(least, body.communicator());
+    high[d] = Utilities::MPI::max(most, body.communicator());
+  }
+  return {low, high};
+}
+
+} // namespace
+
+const std::vector<std::string>& chest_condition_names() {
+  static const std::vector<std::string> names{"fixed", "sliding", "one-sided"};
+  return names;
+}
+
+SupportParameters::SupportParameters() : ParameterAcceptor("Supports") {}
+
+void SupportParameters::declare_parameters(ParameterHandler& prm) {
+  prm.add_parameter("Chest stiffness", chest_stiffness_,
+                    "k, of the loose fascia between breast and chest wall: springs that draw "
+                    "tissue which slides back to where it is unloaded, f = -A k (x - X). Without "
+                    "them a soft breast slides off sideways. Units: Pa/mm.",
+                    Patterns::Double(0., 1e6));
+  prm.add_parameter("Chest smoothing", chest_smoothing_,
+                    "Standard deviation of the Gaussian that smooths the distance to the chest, "
+                    "over the cube root of the volume of a voxel. Units: none.",
+                    Patterns::Double(0., 10.));
+  prm.add_parameter(
+      "Contact", contact_method_,
+      "How nodes are kept on the chest wall. projection: positions, velocities and forces are "
+      "projected to it and its tangent plane in every step. gradual: corrections with a limited "
+      "speed, the paper's eq. 10 and 11. Units: none.",
+      Patterns::Selection("projection|gradual"));
+  prm.add_parameter("Correction part", gradual_.part,
+                    "p of eq. 11, part of the distance to the chest that a gradual correction "
+                    "takes away in a step. Units: none.",
+                    Patterns::Double(0., 1.));
+  prm.add_parameter("Speed limit", gradual_.speed_limit,
+                    "v_max of eq. 11: nodes that approach the chest faster are corrected less. "
+                    "Units: mm/s.",
+                    Patterns::Double(1e-3, 1e9));
+  prm.add_parameter(
+      "Cut planes", cut_planes_,
+      "What holds tissue where the border of the image cuts it off. common: it does not move where "
+      "the image of the other state has tissue too; what has bulged across the border is free. "
+      "fixed: none of it moves. sliding: it moves in the plane, held by the springs below. "
+      "elastic: springs alone. free: nothing. Units: none.",
+      Patterns::Selection("common|fixed|sliding|elastic|free"));
+  prm.add_parameter("Cut plane stiffness", cut_plane_stiffness_,
+                    "Of the springs that stand for the tissue beyond a sliding or elastic cut "
+                    "plane, about mu over its width. Units: Pa/mm.",
+                    Patterns::Double(0., 1e6));
+  prm.add_parameter("Contact stiffness", contact_stiffness,
+                    "Force per distance of a node from the chest wall, with which Newton's "
+                    "method holds it. Units: g/s^2.",
+                    Patterns::Double(1., 1e12));
+}
+
+std::unique_ptr<Supports> SupportParameters::make(ChestCondition chest, const Body& body,
+                                                  const image::LabelImage& labels,
+                                                  const image::LabelImage& other,
+                                                  unsigned chest_label) const {
+  auto supports = std::make_unique<Supports>(body);
+  add_cut_planes(labels.grid, other, *supports);
+  add_chest(chest, labels, chest_label, *supports);
+  return supports;
+}
+
+void SupportParameters::add_chest(ChestCondition chest, const image::LabelImage& labels,
+                                  unsigned chest_label, Supports& supports) const {
+  if (chest == ChestCondition::fixed) {
+    supports.fix({chest_wall});
+    return;
+  }
+  const auto [low, high] = chest_box(supports.body());
+  supports.slide_on(std::make_shared<ChestSurface>(labels, chest_label, chest_smoothing_, low, high,
+                                                   farthest_slide),
+                    {chest_wall},
+                    chest == ChestCondition::sliding ? ContactLaw::tied : ContactLaw::one_sided);
+  supports.set_contact_method(
+      contact_method_ == "gradual" ? ContactMethod::gradual : ContactMethod::projection, gradual_);
+  if (chest_stiffness_ > 0.)
+    supports.add_springs({chest_wall}, chest_stiffness_);
+}
+
+void SupportParameters::add_cut_planes(const image::VoxelGrid& grid, const image::LabelImage& other,
+                                       Supports& supports) const {
+  if (cut_planes_ == "fixed")
+    supports.fix({cut_plane});
+  if (cut_planes_ == "common")
+    supports.fix({cut_plane}, other.values.empty() ? Body::FaceFilter() : held_beyond(other));
+  if (cut_planes_ == "sliding")
+    for (unsigned d = 0; d < 3; ++d) {
+      Tensor<1, 3> axis;
+      for (unsigned c = 0; c < 3; ++c)
+        axis[c] = grid.direction[c][d];
+      supports.slide_on(std::make_shared<mechanics::ParallelPlanes>(axis), {cut_plane},
+                        ContactLaw::tied, least_alignment);
+    }
+  if ((cut_planes_ == "sliding" || cut_planes_ == "elastic") && cut_plane_stiffness_ > 0.)
+    supports.add_springs({cut_plane}, cut_plane_stiffness_);
+}
+
+} // namespace prosup::unloading
