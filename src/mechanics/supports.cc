@@ -45,7 +45,7 @@ void Supports::slide_on(std::shared_ptr<const Surface> surface, const BoundaryId
       added.contact = contact;
       added.level = surface->distance(node_value(body_.vertex_positions(), node), added.normal);
     }
-  contacts_.push_back({std::move(surface), law});
+  contacts_.push_back({std::move(surface), law, ids});
   forget_fixed_nodes();
 }
 
@@ -191,43 +191,50 @@ double Supports::largest_gap(const NodeVector& unloaded, const NodeVector& displ
 class Supports::Force : public NodalForce {
 public:
   Force(const Supports& supports, double contact_stiffness)
-      : supports_(supports), contact_stiffness_(contact_stiffness),
-        contacts_of_(supports.body_.n_local_nodes()) {
+      : supports_(supports), penalties_(supports.body_.n_local_nodes()) {
+    std::vector<std::vector<double>> areas;
+    for (const Contact& contact : supports.contacts_)
+      areas.push_back(supports.body_.lumped_area(contact.ids, supports.body_.vertex_positions()));
     for (const ContactNode& c : supports.contact_nodes_)
-      contacts_of_[c.node].push_back(&supports.contacts_[c.contact]);
+      penalties_[c.node].push_back(
+          {&supports.contacts_[c.contact], contact_stiffness * areas[c.contact][c.node]});
   }
 
   bool evaluate(unsigned node, const Tensor<1, 3>& X, const Tensor<1, 3>& x, Tensor<1, 3>& force,
                 Tensor<2, 3>& by_x, Tensor<2, 3>& by_X) const override {
     const auto& springs = supports_.spring_stiffness_;
     const double spring = springs.empty() ? 0. : springs[node];
-    if (!(spring > 0.) && contacts_of_[node].empty())
+    if (!(spring > 0.) && penalties_[node].empty())
       return false;
     force = -spring * (x - X);
     by_x = -spring * unit_symmetric_tensor<3>();
     by_X = -by_x;
-    for (const Contact* contact : contacts_of_[node])
-      add_contact(*contact->surface, contact->law, X, x, force, by_x, by_X);
+    for (const Penalty& penalty : penalties_[node])
+      penalty.add(X, x, force, by_x, by_X);
     return true;
   }
 
 private:
-  /// f = -k (d(x) - d(X)) n(x).
-  void add_contact(const Surface& surface, ContactLaw law, const Tensor<1, 3>& X,
-                   const Tensor<1, 3>& x, Tensor<1, 3>& force, Tensor<2, 3>& by_x,
-                   Tensor<2, 3>& by_X) const {
-    Tensor<1, 3> n, n_before;
-    const double gap = surface.distance(x, n) - surface.distance(X, n_before);
-    if (law == ContactLaw::one_sided && gap > 0.)
-      return;
-    force -= contact_stiffness_ * gap * n;
-    by_x -= contact_stiffness_ * (outer_product(n, n) + gap * surface.curvature(x));
-    by_X += contact_stiffness_ * outer_product(n, n_before);
-  }
+  struct Penalty {
+    const Contact* contact;
+    double stiffness; ///< g/s^2
+
+    /// f = -k (d(x) - d(X)) n(x).
+    void add(const Tensor<1, 3>& X, const Tensor<1, 3>& x, Tensor<1, 3>& force, Tensor<2, 3>& by_x,
+             Tensor<2, 3>& by_X) const {
+      Tensor<1, 3> n, n_before;
+      const Surface& surface = *contact->surface;
+      const double gap = surface.distance(x, n) - surface.distance(X, n_before);
+      if (contact->law == ContactLaw::one_sided && gap > 0.)
+        return;
+      force -= stiffness * gap * n;
+      by_x -= stiffness * (outer_product(n, n) + gap * surface.curvature(x));
+      by_X += stiffness * outer_product(n, n_before);
+    }
+  };
 
   const Supports& supports_;
-  const double contact_stiffness_; // g/s^2 of a node
-  std::vector<std::vector<const Contact*>> contacts_of_;
+  std::vector<std::vector<Penalty>> penalties_; // of each local node
 };
 
 std::unique_ptr<NodalForce> Supports::nodal_force(double contact_stiffness) const {

@@ -1,13 +1,15 @@
 #include "prosup/phantom/phantom_body.h"
 
 #include <cmath>
+#include <memory>
 
 #include "prosup/core/collective.h"
+#include "prosup/mechanics/supports.h"
 #include "prosup/mesh/deformation.h"
 #include "prosup/mesh/distributed.h"
 #include "prosup/mesh/mask_mesher.h"
 #include "prosup/mesh/refine.h"
-#include "prosup/phantom/chest_support.h"
+#include "prosup/phantom/chest_cylinder.h"
 #include "prosup/phantom/grids.h"
 
 namespace prosup::phantom {
@@ -109,13 +111,18 @@ LoadedPhantom PhantomBody::load(const Load& load, const mechanics::QuasiStaticPa
   quasi_static.set_body_force(load.body_force);
   if (load.push_pressure != 0.)
     quasi_static.set_external_force(push(load.push_pressure));
-  const bool slides = parameters_.chest_slides();
-  quasi_static.set_fixed_nodes(
-      body_->nodes_on_boundary(slides ? std::set{cut_plane} : std::set{chest_wall, cut_plane}));
-  const ChestSupport support(parameters_.geometry, body_->lumped_area({chest_wall}, unloaded_),
-                             parameters_.contact_stiffness, parameters_.fascia_stiffness);
-  if (slides)
-    quasi_static.set_nodal_force(&support);
+  mechanics::Supports supports(*body_, {cut_plane});
+  if (parameters_.chest_slides()) {
+    supports.slide_on(std::make_shared<ChestCylinder>(parameters_.geometry), {chest_wall},
+                      mechanics::ContactLaw::tied);
+    supports.add_springs({chest_wall}, parameters_.fascia_stiffness);
+  } else {
+    supports.fix({chest_wall});
+  }
+  supports.set_reference(unloaded_);
+  const auto support_force = supports.nodal_force(parameters_.contact_stiffness);
+  quasi_static.set_fixed_nodes(supports.fixed());
+  quasi_static.set_nodal_force(support_force.get());
 
   NodeVector displacement;
   body_->initialize(displacement);

@@ -115,8 +115,8 @@ void SupportParameters::declare_parameters(ParameterHandler& prm) {
                     "plane, about mu over its width. Units: Pa/mm.",
                     Patterns::Double(0., 1e6));
   prm.add_parameter("Contact stiffness", contact_stiffness,
-                    "Force per distance of a node from the chest wall, with which Newton's "
-                    "method holds it. Units: g/s^2.",
+                    "Pressure per distance from the chest wall with which Newton's method holds "
+                    "tissue on it. Units: Pa/mm.",
                     Patterns::Double(1., 1e12));
 }
 

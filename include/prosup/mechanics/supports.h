@@ -65,10 +65,11 @@ public:
   const std::vector<bool>& fixed() const { return fixed_; }
   /// Whether any node of any rank is fixed, on a surface, or on a spring.
   bool hold_anything() const;
-  /// A_a k at each local node for the areas at X, g/s^2; empty without springs.
+  /// A_a k of springs at each local node for the areas at X, g/s^2; empty without
+  /// springs. Local.
   const std::vector<double>& spring_stiffness() const { return spring_stiffness_; }
 
-  /// Takes over the unloaded configuration (ghosts in): areas of springs.
+  /// Takes over the unloaded configuration (ghosts in): areas on which springs act.
   void set_reference(const NodeVector& unloaded);
 
   /// Puts the nodes of the unloaded `positions` (ghosts included) that are tied to
@@ -94,14 +95,15 @@ public:
   double largest_gap(const NodeVector& unloaded, const NodeVector& displacement) const;
 
   /// The same supports as forces for Newton's method: surfaces by a penalty of
-  /// `contact_stiffness` (g/s^2 at each node) on d(x) - d(X).
-  /// Keeps a reference to this object.
+  /// `contact_stiffness` (Pa/mm) on d(x) - d(X), with the areas of the loaded
+  /// configuration. Keeps a reference to this object.
   std::unique_ptr<NodalForce> nodal_force(double contact_stiffness) const;
 
 private:
   struct Contact {
     std::shared_ptr<const Surface> surface;
     ContactLaw law;
+    BoundaryIds ids;
   };
   /// One of the contacts of a node that is not fixed.
   struct ContactNode {

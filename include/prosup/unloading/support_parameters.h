@@ -42,7 +42,7 @@ public:
 
   bool need_other_labels() const { return cut_planes_ == "common"; }
 
-  double contact_stiffness = 1e6; ///< of Newton's penalty, g/s^2 at a node
+  double contact_stiffness = 5e4; ///< of Newton's penalty, Pa/mm
 
 private:
   void add_chest(ChestCondition chest, const image::LabelImage& labels, unsigned chest_label,
