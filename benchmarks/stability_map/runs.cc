@@ -43,6 +43,7 @@ void start_from_solution(Unloading& simulation, const HalfBall& breast) {
   }
   state.loading = 1e3;
   simulation.restore(state);
+  simulation.set_material(breast.material); // masses and step of this reference
 }
 
 } // namespace

@@ -119,11 +119,17 @@ Spectrum measure_spectrum(const HalfBall& breast) {
   Spectrum result;
   result.critical_step = mass.critical_step;
   result.asymmetry = asymmetry(a);
-  double lowest = std::numeric_limits<double>::max();
-  for (const auto& lambda : eigenvalues(k))
+  double lowest = std::numeric_limits<double>::max(), highest_k = 0., highest_a = 0.;
+  for (const auto& lambda : eigenvalues(k)) {
     lowest = std::min(lowest, lambda.real());
+    highest_k = std::max(highest_k, lambda.real());
+  }
+  result.is_stable = lowest > 0.;
+  if (!result.is_stable)
+    return result;
   result.lowest_frequency = std::sqrt(lowest);
   for (const auto& lambda : eigenvalues(a)) {
+    highest_a = std::max(highest_a, std::abs(lambda));
     result.largest_angle =
         std::max(result.largest_angle, std::abs(std::arg(lambda)) * 180. / numbers::PI);
     result.critical_damping =
@@ -131,8 +137,10 @@ Spectrum measure_spectrum(const HalfBall& breast) {
                                               ? std::abs(lambda.imag()) / std::sqrt(lambda.real())
                                               : std::numeric_limits<double>::infinity());
   }
+  result.step_ratio = std::sqrt(highest_k / highest_a);
   result.smallest_following = std::numeric_limits<double>::max();
   for (const auto& lambda : eigenvalues(quotient(k, a))) {
+    result.step_ratio = std::sqrt(highest_k / highest_a);
     result.smallest_following = std::min(result.smallest_following, lambda.real());
     result.largest_jump = std::max(result.largest_jump, std::abs(1. - lambda));
   }
