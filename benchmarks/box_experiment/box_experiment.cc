@@ -1,119 +1,114 @@
 // The experiment of the paper's appendix: a soft box is loaded and unloaded, on
 // the same mesh and through voxels. Prints a table and writes box.csv and box.png.
 
-#include <algorithm>
 #include <cstdio>
-#include <numeric>
 
 #include "../setup.h"
-#include "prosup/core/error.h"
 #include "prosup/core/log.h"
 #include "prosup/core/text_file.h"
-#include "prosup/mesh/deformation.h"
-#include "prosup/unloading/unloading.h"
+#include "prosup/evaluation/point_mapper.h"
+#include "shaded.h"
+#include "unload.h"
 #include "voxels.h"
 
 using namespace dealii;
 using namespace prosup;
 using namespace prosup::benchmarks;
-using mechanics::ElementType;
 using mechanics::NodeVector;
 
 namespace {
 
-struct Options {
-  unsigned n_truth = 8, n_same = 10;
-  double voxel = 0.5, edge_length = 1.25, smoothing = 1., shift = 0.;
-  std::string element = "nodal-pressure";
-  bool newton = false;
+constexpr double voxel = 0.5; // mm, as in the paper
+
+/// How the box is loaded, put on voxels and meshed.
+struct Case {
+  double weight = 1.; ///< in multiples of 9810 mm/s^2
+  bool hanging = true;
+  double shift = 0.;       ///< of the cube against the voxels, in voxels
+  double edge_length = 1.; ///< mm
 };
 
-struct Parameters : unloading::UnloadingParameters {
-  explicit Parameters(const BoxExperiment& box) {
-    fixed_boundaries = {static_cast<unsigned>(mesh::BoundaryPart::cut_plane)};
-    gravity = box.gravity;
-    residual_tolerance = 1e-5;
-    position_tolerance = 1e-4;
-    max_steps = 100000;
-  }
+std::vector<Case> all_cases() {
+  std::vector<Case> cases{{}};
+  for (const double shift : {0.25, 0.5})
+    cases.push_back({1., true, shift, 1.});
+  for (const double edge_length : {0.7, 1.5, 2.})
+    cases.push_back({1., true, 0., edge_length});
+  cases.push_back({0.5, true, 0., 1.});
+  cases.push_back({2., true, 0., 1.});
+  cases.push_back({0.5, false, 0., 1.});
+  cases.push_back({1., false, 0., 1.});
+  return cases;
+}
+
+/// Numbers of tetrahedra along an edge of the cube.
+struct Sizes {
+  unsigned truth = 12, same_mesh = 12;
 };
 
-/// Loaded or unloaded positions by the explicit method.
-NodeVector simulate(const BoxExperiment& box, const mechanics::Body& body, Direction direction) {
-  const Parameters parameters(box);
-  unloading::Unloading simulation(parameters, body, box.direction, "the box");
-  if (direction == Direction::load)
-    simulation.hold_reference();
-  simulation.set_material(box.material());
-  if (!simulation.run().converged)
-    throw DivergenceError("The box did not settle.");
-  NodeVector result = simulation.unloaded();
-  if (direction == Direction::load)
-    result += simulation.displacement();
-  result.update_ghost_values();
-  return result;
+struct Outcome {
+  mesh::UnloadedMesh truth, recovered;
+  std::size_t n_voxels = 0;
+  Distances motion, same_mesh, displacement, surface; // mm
+};
+
+Outcome run(const Case& what, const Sizes& sizes) {
+  BoxExperiment box;
+  box.gravity = what.weight * standard_gravity;
+  box.direction = Tensor<1, 3>({0., what.hanging ? -1. : 1., 0.});
+  const mechanics::Body fine =
+      cube_body(box, sizes.truth, {mechanics::ElementType::quadratic}, true);
+  Outcome outcome;
+  outcome.truth = as_mesh(fine, solve_loaded(box, fine), fine.vertex_positions());
+  const image::LabelImage mask = rasterise(outcome.truth.mesh, voxel, box.edge, what.shift);
+  outcome.recovered = unload_mask(box, mask, what.edge_length);
+  const std::vector<double> displacement =
+      displacement_errors(mask, outcome.recovered, outcome.truth);
+  outcome.n_voxels = displacement.size();
+  outcome.displacement = statistics(displacement);
+  outcome.surface = statistics(surface_distances(outcome.recovered, box.edge));
+  outcome.same_mesh = statistics(same_mesh_errors(box, sizes.same_mesh));
+  std::vector<double> motion;
+  for (std::size_t i = 0; i < outcome.truth.unloaded.size(); ++i)
+    motion.push_back(outcome.truth.unloaded[i].distance(outcome.truth.mesh.points[i]));
+  outcome.motion = statistics(motion);
+  return outcome;
 }
 
-mechanics::Element element_of(const std::string& name) {
-  return {enumerator<ElementType>(name, mechanics::element_names())};
+const char* table_head = "| box | weight, g | shift, voxels | edge length, mm | cells | moves, mm "
+                         "| same mesh: max, mm | "
+                         "through voxels: max | p95 | mean | surface: max | p95 |\n"
+                         "|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+
+std::string row(const Case& what, const Outcome& outcome, const char* pattern) {
+  return format(pattern, what.hanging ? "hanging" : "standing", what.weight, what.shift,
+                what.edge_length, outcome.recovered.mesh.cells.size(), outcome.motion.max,
+                outcome.same_mesh.max, outcome.displacement.max, outcome.displacement.p95,
+                outcome.displacement.mean, outcome.surface.max, outcome.surface.p95);
 }
 
-/// Loads a mesh of the cube and unloads the mesh that results.
-std::vector<double> same_mesh_errors(const BoxExperiment& box, const Options& options) {
-  const mechanics::Body cube = cube_body(box, options.n_same, element_of(options.element));
-  const mesh::UnloadedMesh loaded =
-      as_mesh(cube, simulate(box, cube, Direction::load), cube.vertex_positions());
-  // The same cells with their nodes at the loaded positions.
-  mesh::TetMesh mesh = loaded.mesh;
-  for (const auto& c : mesh.cells)
-    for (const std::array<unsigned, 3> f :
-         {std::array<unsigned, 3>{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}}) {
-      const std::array<unsigned, 3> nodes{c[f[0]], c[f[1]], c[f[2]]};
-      if (std::all_of(nodes.begin(), nodes.end(),
-                      [&](unsigned n) { return loaded.unloaded[n][1] > box.edge - 1e-9; }))
-        mesh.boundary_faces.push_back({nodes, mesh::BoundaryPart::cut_plane});
-    }
-  const auto triangulation = mesh::make_distributed(mesh, MPI_COMM_SELF);
-  const mechanics::Body body(*triangulation, element_of(options.element));
-  const NodeVector unloaded = simulate(box, body, Direction::unload);
-  const auto found = body.gather_at_cells(unloaded);
-  std::vector<double> errors;
-  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
-    for (unsigned a = 0; a < 4; ++a)
-      errors.push_back(found[cell][a].distance(loaded.unloaded[mesh.cells[cell][a]]));
-  return errors;
+void print_volumes(const Outcome& outcome) {
+  std::printf(
+      "\nVolume of the first: cube %.1f, loaded %.1f, its %zu voxels %.1f, their mesh %.1f, "
+      "recovered %.1f mm^3.\n",
+      volume(outcome.truth.mesh, outcome.truth.unloaded),
+      volume(outcome.truth.mesh, outcome.truth.mesh.points), outcome.n_voxels,
+      static_cast<double>(outcome.n_voxels) * voxel * voxel * voxel,
+      volume(outcome.recovered.mesh, outcome.recovered.mesh.points),
+      volume(outcome.recovered.mesh, outcome.recovered.unloaded));
 }
 
-/// The mesh of a mask and its unloaded positions.
-mesh::UnloadedMesh unload_mask(const BoxExperiment& box, const image::LabelImage& mask,
-                               const Options& options) {
-  mesh::MaskMesher mesher;
-  mesher.edge_length = options.edge_length;
-  mesher.smoothing = options.smoothing;
-  mesh::UnloadedMesh result;
-  result.mesh = mesher.run(mask);
-  const auto triangulation = mesh::make_distributed(result.mesh, MPI_COMM_SELF);
-  const mechanics::Body body(*triangulation, element_of(options.element));
-  const NodeVector unloaded = options.newton
-                                  ? solve(box, body, body.vertex_positions(), Direction::unload)
-                                  : simulate(box, body, Direction::unload);
-  const auto boundary = result.mesh.boundary_faces;
-  if (body.element().degree() == 2)
-    result = as_mesh(body, body.vertex_positions(), unloaded);
-  else
-    result.unloaded = mesh::at_nodes(result.mesh, body.gather_at_cells(unloaded));
-  result.mesh.boundary_faces =
-      body.element().degree() == 2 ? std::vector<mesh::BoundaryFace>() : boundary;
-  return result;
-}
-
-void print(const char* what, const char* measure, const std::vector<double>& errors) {
-  if (errors.empty())
-    return;
-  const Distances d = statistics(errors);
-  std::printf("| %s | %s | %zu | %.4f | %.4f | %.4f |\n", what, measure, errors.size(), d.max,
-              d.p95, d.mean);
-  std::fflush(stdout);
+/// Unloaded, loaded and recovered, as the paper's Fig. 12.
+void draw(const Outcome& outcome, const std::filesystem::path& file) {
+  const mesh::UnloadedMesh &truth = outcome.truth, &recovered = outcome.recovered;
+  const evaluation::PointMapper mapper(truth);
+  std::vector<Point<3>> material;
+  for (const Point<3>& x : recovered.mesh.points)
+    material.push_back(mapper.to_unloaded(x));
+  write_shaded({{&truth.mesh.cells, truth.unloaded, truth.unloaded},
+                {&truth.mesh.cells, truth.mesh.points, truth.unloaded},
+                {&recovered.mesh.cells, recovered.unloaded, material}},
+               file);
 }
 
 } // namespace
@@ -121,46 +116,32 @@ void print(const char* what, const char* measure, const std::vector<double>& err
 int main(int argc, char** argv) {
   CLI::App app{"Loads and unloads a soft box, on one mesh and through voxels.",
                "benchmark_box_experiment"};
-  Options options;
-  BoxExperiment box;
   std::filesystem::path folder;
-  double weight = 2.;
-  std::vector<double> direction{0., -1., 0.};
-  app.add_option("--output", folder)->check(CLI::ExistingDirectory);
-  app.add_option("--edge-length", options.edge_length)->capture_default_str();
-  app.add_option("--smoothing", options.smoothing)->capture_default_str();
-  app.add_option("--shift", options.shift)->capture_default_str();
-  app.add_option("--voxel", options.voxel)->capture_default_str();
-  app.add_option("--element", options.element)->capture_default_str();
-  app.add_option("--truth", options.n_truth)->capture_default_str();
-  app.add_option("--gravity", weight)->capture_default_str();
-  app.add_option("--direction", direction)->expected(3);
-  app.add_flag("--newton", options.newton);
+  bool small = false;
+  app.add_option("--output", folder, "Folder for box.csv and box.png")
+      ->required()
+      ->check(CLI::ExistingDirectory);
+  app.add_flag("--small", small, "One case on coarse meshes");
   return run_program(argc, argv, app, [&] {
-    box.gravity = weight * 9810.;
-    box.direction = Tensor<1, 3>({direction[0], direction[1], direction[2]});
-    const mechanics::Body fine = cube_body(box, options.n_truth, {ElementType::quadratic});
-    const NodeVector loaded = solve(box, fine, fine.vertex_positions(), Direction::load);
-    const mesh::UnloadedMesh truth = as_mesh(fine, loaded, fine.vertex_positions());
-    std::vector<double> motion;
-    for (std::size_t i = 0; i < truth.unloaded.size(); ++i)
-      motion.push_back(truth.unloaded[i].distance(truth.mesh.points[i]));
-    const image::LabelImage mask = rasterise(truth.mesh, options.voxel, box.edge, options.shift);
-    const mesh::UnloadedMesh recovered = unload_mask(box, mask, options);
-    std::printf(
-        "softness %.2f; volumes: cube %.1f, loaded %.1f, voxels %.1f, mesh %.1f, recovered %.1f "
-        "mm^3; "
-        "%zu cells, %zu nodes\n",
-        box.softness(), volume(truth.mesh, truth.unloaded), volume(truth.mesh, truth.mesh.points),
-        0.5 * std::accumulate(mask.values.begin(), mask.values.end(), 0.) *
-            mask.grid.voxel_volume(),
-        volume(recovered.mesh, recovered.mesh.points), volume(recovered.mesh, recovered.unloaded),
-        recovered.mesh.cells.size(), recovered.mesh.points.size());
-    std::printf("| | measure | points | max, mm | p95 | mean |\n|---|---|---|---|---|---|\n");
-    print("motion", "", motion);
-    print("same mesh", "nodes", same_mesh_errors(box, options));
-    print("through voxels", "displacement at voxels", displacement_errors(mask, recovered, truth));
-    print("through voxels", "displacement at nodes", node_errors(recovered, truth));
-    print("through voxels", "surface", surface_distances(recovered, box.edge));
+    const std::vector<Case> cases = small ? std::vector<Case>{{1., true, 0., 2.5}} : all_cases();
+    const Sizes sizes = small ? Sizes{4, 4} : Sizes{};
+    std::string csv = "box,weight_g,shift_voxels,edge_length_mm,cells,moves_mm,same_mesh_max_mm,"
+                      "voxels_max_mm,voxels_p95_mm,voxels_mean_mm,surface_max_mm,surface_p95_mm\n";
+    Outcome first;
+    std::printf("%s", table_head);
+    for (const Case& what : cases) {
+      Outcome outcome = run(what, sizes);
+      std::printf("%s", row(what, outcome,
+                            "| %s | %g | %g | %g | %zu | %.2f | %.4f | %.3f | %.3f | %.3f | %.2f | "
+                            "%.2f |\n")
+                            .c_str());
+      std::fflush(stdout);
+      csv += row(what, outcome, "%s,%g,%g,%g,%zu,%.3f,%.5f,%.4f,%.4f,%.4f,%.3f,%.3f\n");
+      if (first.n_voxels == 0)
+        first = std::move(outcome);
+    }
+    print_volumes(first);
+    write_text_file(csv, folder / "box.csv");
+    draw(first, folder / "box.png");
   });
 }

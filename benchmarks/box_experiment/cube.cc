@@ -1,8 +1,9 @@
 #include "cube.h"
 
 #include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
 
-#include "prosup/core/units.h"
+#include <cmath>
 
 namespace prosup::benchmarks {
 
@@ -14,11 +15,8 @@ std::vector<mechanics::LameParameters> BoxExperiment::material() const {
   return {mechanics::lame_parameters(youngs_modulus / (2. + 2. * poisson_ratio), poisson_ratio)};
 }
 
-double BoxExperiment::softness() const {
-  return tissue_density * gravity * edge / material()[0].mu;
-}
-
-mechanics::Body cube_body(const BoxExperiment& box, unsigned n, const mechanics::Element& element) {
+mechanics::Body cube_body(const BoxExperiment& box, unsigned n, const mechanics::Element& element,
+                          bool graded) {
   Triangulation<3> cube;
   GridGenerator::subdivided_hyper_rectangle_with_simplices(cube, {n, n, n}, Point<3>(),
                                                            Point<3>(box.edge, box.edge, box.edge));
@@ -29,28 +27,30 @@ mechanics::Body cube_body(const BoxExperiment& box, unsigned n, const mechanics:
             cell->face(f)->center()[1] > (1. - 1e-9) * box.edge
                 ? static_cast<types::boundary_id>(mesh::BoundaryPart::cut_plane)
                 : static_cast<types::boundary_id>(mesh::BoundaryPart::skin));
+  if (graded)
+    GridTools::transform(
+        [&](const Point<3>& p) {
+          const auto to_both = [&](double t) { return 0.5 - 0.5 * std::cos(numbers::PI * t); };
+          const Point<3> t = p / box.edge;
+          return box.edge *
+                 Point<3>(to_both(t[0]), std::sin(0.5 * numbers::PI * t[1]), to_both(t[2]));
+        },
+        cube);
   return mechanics::Body(cube, element);
 }
 
-NodeVector solve(const BoxExperiment& box, const mechanics::Body& body, const NodeVector& known,
-                 Direction direction) {
-  mechanics::QuasiStaticParameters parameters;
+NodeVector solve_loaded(const BoxExperiment& box, const mechanics::Body& body) {
+  const mechanics::QuasiStaticParameters parameters;
   mechanics::QuasiStatic newton(parameters, body);
   newton.set_material(box.material());
   newton.set_fixed_nodes(
       body.nodes_on_boundary({static_cast<types::boundary_id>(mesh::BoundaryPart::cut_plane)}));
   newton.set_body_force(tissue_density * box.gravity * box.direction);
-  NodeVector result = known;
+  NodeVector result;
+  body.initialize(result);
   result.update_ghost_values();
-  if (direction == Direction::unload) {
-    newton.unload(known, result);
-    return result;
-  }
-  NodeVector u;
-  body.initialize(u);
-  u.update_ghost_values();
-  newton.load(known, u);
-  result += u;
+  newton.load(body.vertex_positions(), result);
+  result += body.vertex_positions();
   result.update_ghost_values();
   return result;
 }

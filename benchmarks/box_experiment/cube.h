@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "prosup/core/units.h"
 #include "prosup/mechanics/material.h"
 #include "prosup/mechanics/quasi_static.h"
 #include "prosup/mesh/tet_mesh.h"
@@ -18,21 +19,23 @@ struct BoxExperiment {
   double edge = 15.;            ///< mm
   double youngs_modulus = 500.; ///< E, Pa
   double poisson_ratio = 0.45;
-  double gravity = 2. * 9810.; ///< mm/s^2
+  double gravity = standard_gravity; ///< of the body force, mm/s^2
   dealii::Tensor<1, 3> direction{{0., -1., 0.}};
 
   std::vector<mechanics::LameParameters> material() const;
-  double softness() const; ///< rho g L/mu
 };
 
 /// The cube as a body of 5 n^3 tetrahedra; boundary id 2 at the face that is held.
-mechanics::Body cube_body(const BoxExperiment& box, unsigned n, const mechanics::Element& element);
+/// If `graded`, they are smaller towards the edges of that face, where stress is
+/// singular.
+mechanics::Body cube_body(const BoxExperiment& box, unsigned n, const mechanics::Element& element,
+                          bool graded);
 
-/// Loads or unloads a body by Newton's method, from `known` positions with ghosts.
-/// @returns the positions sought.
+/// The loaded positions of a body, by Newton's method.
+mechanics::NodeVector solve_loaded(const BoxExperiment& box, const mechanics::Body& body);
+
+/// Which way a simulation goes.
 enum class Direction { load, unload };
-mechanics::NodeVector solve(const BoxExperiment& box, const mechanics::Body& body,
-                            const mechanics::NodeVector& known, Direction direction);
 
 /// A body of one rank as a mesh, loaded and unloaded; quadratic elements as
 /// their linear cells.

@@ -85,15 +85,6 @@ std::vector<double> displacement_errors(const image::LabelImage& mask,
   return errors;
 }
 
-std::vector<double> node_errors(const mesh::UnloadedMesh& recovered,
-                                const mesh::UnloadedMesh& truth) {
-  const PointMapper theirs(truth);
-  std::vector<double> errors;
-  for (std::size_t i = 0; i < recovered.unloaded.size(); ++i)
-    errors.push_back(recovered.unloaded[i].distance(theirs.to_unloaded(recovered.mesh.points[i])));
-  return errors;
-}
-
 std::vector<double> surface_distances(const mesh::UnloadedMesh& recovered, double edge) {
   std::set<unsigned> nodes;
   for (const mesh::BoundaryFace& face : recovered.mesh.boundary_faces)

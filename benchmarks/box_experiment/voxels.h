@@ -24,10 +24,6 @@ std::vector<double> displacement_errors(const image::LabelImage& mask,
                                         const mesh::UnloadedMesh& recovered,
                                         const mesh::UnloadedMesh& truth);
 
-/// The same at the nodes of `recovered`.
-std::vector<double> node_errors(const mesh::UnloadedMesh& recovered,
-                                const mesh::UnloadedMesh& truth);
-
 /// Distances of the nodes of the free surface, unloaded, from that of the cube.
 std::vector<double> surface_distances(const mesh::UnloadedMesh& recovered, double edge);
 
