@@ -23,6 +23,7 @@ struct Parameters : unloading::UnloadingParameters {
     damping = "fixed";
     damping_rate = run.damping_rate;
     scaled_fraction = 0.;
+    step_safety = run.step_safety;
     max_retries = 0;
     max_steps = n_steps;
     residual_tolerance = 1e-4;
@@ -90,6 +91,7 @@ double observed_critical_damping(const HalfBall& breast, double low, double high
     Run run;
     run.correction = {CorrectionScheme::full, 1., 1};
     run.damping_rate = std::sqrt(low * high);
+    run.step_safety = 0.4;
     simulate(breast, run, 40000, true);
     (run.outcome == Outcome::converged ? high : low) = run.damping_rate;
   }

@@ -23,11 +23,13 @@ const char* name_of(Outcome outcome);
 
 /// One simulation.
 struct Run {
+  unsigned n_cells = 0;
   bool prone = true;
   double softness = 0.;       ///< rho g L/mu
   double damping_factor = 0.; ///< (r/rho)/(2 omega_1)
   double damping_rate = 0.;   ///< r/rho, 1/s
   Correction correction{};
+  double step_safety = 0.9; ///< of the critical step
   Outcome outcome = Outcome::unsettled;
   unsigned n_steps = 0;
   double interval_time = 0.; ///< n h r/rho
@@ -40,6 +42,7 @@ void simulate(const HalfBall& breast, Run& run, unsigned max_steps, bool from_so
 
 /// Damping rate r/rho (1/s) at which the full correction of every step begins to
 /// be stable near Newton's solution, by bisection to 1 percent between bounds.
+/// Steps are short, so that only the flutter is seen.
 double observed_critical_damping(const HalfBall& breast, double low, double high);
 
 } // namespace prosup::benchmarks

@@ -1,6 +1,6 @@
 // Which corrections of the unloading converge: lag against damping against
 // softness, the relaxed correction and the paper's full one, prone and supine.
-// Writes stability_map.csv and .svg and prints what linear theory says.
+// Writes stability_map.csv and pictures of it, and prints what linear theory says.
 
 #include <cstdio>
 
@@ -16,6 +16,9 @@ using unloading::CorrectionScheme;
 
 namespace {
 
+/// Dense matrices of finer bodies take too long. The lowest frequency changes little.
+constexpr unsigned finest_spectrum = 1;
+
 struct Plan {
   std::vector<double> softness{1., 2., 3., 4., 6., 8., 12.};
   std::vector<double> damping_factors{0.5, 1., 2., 4., 8., 16.};
@@ -24,7 +27,12 @@ struct Plan {
   unsigned n_refinements = 1;
   unsigned max_steps = 20000;
 
-  static Plan small() { return {{0.5, 4.}, {1., 8.}, {2.5, 10.}, {1, 10}, 0, 6000}; }
+  /// On a finer mesh, where modes are faster and steps shorter.
+  static Plan fine() {
+    return {{2., 3., 4.}, {0.5, 1., 2., 4.}, {1., 2.5, 5.}, {1, 10, 50, 200}, 2};
+  }
+
+  static Plan small() { return {{2., 8.}, {1.}, {2.5}, {1, 10, 50}, 0}; }
 
   std::vector<Correction> corrections() const {
     std::vector<Correction> result;
@@ -56,15 +64,17 @@ void print(const HalfBall& breast, const Spectrum& spectrum) {
 }
 
 std::string csv(const std::vector<Run>& runs) {
-  std::string text = "state,softness,correction,lag_factor,interval,interval_time,damping_factor,"
-                     "damping_rate,outcome,steps,error_mm\n";
+  std::string text =
+      "cells,state,softness,correction,lag_factor,interval,interval_time,damping_factor,"
+      "damping_rate,outcome,steps,error_mm\n";
   for (const Run& run : runs) {
     const bool relaxed = run.correction.scheme == CorrectionScheme::relaxed;
-    text += format("%s,%g,%s,%s,%u,%.3g,%g,%.4g,%s,%u,%s\n", run.prone ? "prone" : "supine",
-                   run.softness, relaxed ? "relaxed" : "full",
+    text += format("%u,%s,%g,%s,%s,%u,%.3g,%g,%.4g,%s,%s,%s\n", run.n_cells,
+                   run.prone ? "prone" : "supine", run.softness, relaxed ? "relaxed" : "full",
                    relaxed ? format("%g", run.correction.lag_factor).c_str() : "",
                    run.correction.interval, run.interval_time, run.damping_factor, run.damping_rate,
-                   name_of(run.outcome), run.n_steps,
+                   name_of(run.outcome),
+                   run.outcome == Outcome::diverged ? "" : std::to_string(run.n_steps).c_str(),
                    run.outcome == Outcome::converged ? format("%.4f", run.error).c_str() : "");
   }
   return text;
@@ -76,16 +86,18 @@ std::vector<Run> all_runs(const Plan& plan) {
   for (const bool prone : {true, false})
     for (const double softness : plan.softness) {
       std::printf("| %s | %g |", prone ? "prone" : "supine", softness);
-      const HalfBall breast(softness, prone, plan.n_refinements);
-      const Spectrum spectrum = breast.has_solution ? measure_spectrum(breast) : Spectrum();
+      const HalfBall coarse(softness, prone, std::min(plan.n_refinements, finest_spectrum));
+      const Spectrum spectrum = coarse.has_solution ? measure_spectrum(coarse) : Spectrum();
       if (!spectrum.is_stable) {
         std::printf(" has no stable unloaded state | | | | | | | | | |\n");
         continue;
       }
-      print(breast, spectrum);
+      print(coarse, spectrum);
+      const HalfBall breast(softness, prone, plan.n_refinements);
       for (const Correction& correction : plan.corrections())
         for (const double factor : plan.damping_factors) {
           Run run;
+          run.n_cells = breast.body.n_global_cells();
           run.prone = prone;
           run.softness = softness;
           run.correction = correction;
@@ -100,9 +112,9 @@ std::vector<Run> all_runs(const Plan& plan) {
 
 /// One line for each correction.
 void print_summary(const std::vector<Run>& runs, const Plan& plan) {
-  std::printf(
-      "\n| correction | converged | unsettled | diverged | largest error of the converged, mm |"
-      "\n|---|---|---|---|---|\n");
+  std::printf("\n%u tetrahedra\n\n| correction | converged | unsettled | diverged | largest error "
+              "of the converged, mm |\n|---|---|---|---|---|\n",
+              runs.empty() ? 0u : runs.front().n_cells);
   for (const Correction& correction : plan.corrections()) {
     unsigned n[3] = {0, 0, 0};
     double error = 0.;
@@ -122,15 +134,20 @@ int main(int argc, char** argv) {
   CLI::App app{"Which corrections of the unloading converge.", "benchmark_stability_map"};
   std::filesystem::path folder;
   bool small = false;
-  app.add_option("--output", folder, "Folder for stability_map.csv and .svg")
+  app.add_option("--output", folder, "Folder for stability_map.csv and the pictures")
       ->required()
       ->check(CLI::ExistingDirectory);
   app.add_flag("--small", small, "A few fields of the map on a coarse body");
   return run_program(argc, argv, app, [&] {
-    const Plan plan = small ? Plan::small() : Plan();
-    const std::vector<Run> runs = all_runs(plan);
-    print_summary(runs, plan);
-    write_text_file(csv(runs), folder / "stability_map.csv");
+    std::vector<Run> runs = all_runs(small ? Plan::small() : Plan());
+    print_summary(runs, small ? Plan::small() : Plan());
     write_picture(runs, folder / "stability_map.svg");
+    if (!small) {
+      const std::vector<Run> fine = all_runs(Plan::fine());
+      print_summary(fine, Plan::fine());
+      write_picture(fine, folder / "stability_map_fine.svg");
+      runs.insert(runs.end(), fine.begin(), fine.end());
+    }
+    write_text_file(csv(runs), folder / "stability_map.csv");
   });
 }
