@@ -25,14 +25,15 @@ struct Plan {
   std::vector<double> lags{0.1, 0.3, 1., 2.5, 5., 10.};
   std::vector<unsigned> intervals{1, 10, 50, 200};
   unsigned n_refinements = 1;
+  bool observe = true; ///< where the flutter stops, besides computing it
   unsigned max_steps = 20000;
 
   /// On a finer mesh, where modes are faster and steps shorter.
   static Plan fine() {
-    return {{2., 3., 4.}, {0.5, 1., 2., 4.}, {1., 2.5, 5.}, {1, 10, 50, 200}, 2};
+    return {{2., 3., 4.}, {0.5, 1., 2., 4.}, {1., 2.5, 5.}, {1, 10, 50, 200}, 2, false};
   }
 
-  static Plan small() { return {{2., 8.}, {1.}, {2.5}, {1, 10, 50}, 0}; }
+  static Plan small() { return {{2., 8.}, {1.}, {2.5}, {1, 10, 50}, 0, false}; }
 
   std::vector<Correction> corrections() const {
     std::vector<Correction> result;
@@ -51,15 +52,18 @@ const char* table_head =
     "Re of K^-1 A from | largest jump |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n";
 
 /// Prints a row of the table of spectra.
-void print(const HalfBall& breast, const Spectrum& spectrum) {
+void print(const HalfBall& breast, const Spectrum& spectrum, bool observe) {
   const double unit = 2. * spectrum.lowest_frequency;
   const double predicted = spectrum.critical_damping;
   const double observed =
-      predicted > 0. ? observed_critical_damping(breast, 0.25 * predicted, 8. * predicted) : 0.;
-  std::printf(" %.1f | %.1f | %.2f | %.2f | %.0f deg | %.2f | %.2f | %.2f | %.2f | %.2f |\n",
+      observe && predicted > 0.
+          ? observed_critical_damping(breast, 0.25 * predicted, 8. * predicted) / unit
+          : 0.;
+  std::printf(" %.1f | %.1f | %.2f | %.2f | %.0f deg | %.2f | %.2f | %s | %.2f | %.2f |\n",
               breast.motion, spectrum.lowest_frequency, 1e3 * spectrum.critical_step,
               spectrum.asymmetry, spectrum.largest_angle, spectrum.step_ratio, predicted / unit,
-              observed / unit, spectrum.smallest_following, spectrum.largest_jump);
+              observed > 0. ? format("%.2f", observed).c_str() : "", spectrum.smallest_following,
+              spectrum.largest_jump);
   std::fflush(stdout);
 }
 
@@ -92,7 +96,7 @@ std::vector<Run> all_runs(const Plan& plan) {
         std::printf(" has no stable unloaded state | | | | | | | | | |\n");
         continue;
       }
-      print(coarse, spectrum);
+      print(coarse, spectrum, plan.observe);
       const HalfBall breast(softness, prone, plan.n_refinements);
       for (const Correction& correction : plan.corrections())
         for (const double factor : plan.damping_factors) {
