@@ -137,7 +137,7 @@ int main(int argc, char** argv) {
       Outcome outcome = run(what, sizes);
       std::printf("%s",
                   row(what, outcome,
-                      "| %s | %g | %g | %g | %g | %zu | %.2f | %.4f | %.3f | %.3f | %.3f | %.2f | "
+                      "| %s | %g | %g | %g | %g | %zu | %.2f | %.5f | %.3f | %.3f | %.3f | %.2f | "
                       "%.2f |\n")
                       .c_str());
       std::fflush(stdout);

@@ -11,7 +11,7 @@ namespace prosup::benchmarks {
 namespace {
 
 constexpr int field_width = 30, field_height = 22;
-constexpr int left = 64, top = 64, gap = 16, header = 20, footer = 60;
+constexpr int left = 64, top = 64, gap = 16, header = 20, footer = 60, n_columns = 5;
 
 /// The different values of a property, in the order in which they come.
 template <typename Property>
@@ -65,11 +65,13 @@ public:
         correction_(values_of(runs, [](const Run& r) { return r.correction.name(); })),
         prone_(values_of(runs, [](const Run& r) { return r.prone; })),
         panel_width_(field_width * static_cast<int>(damping_.size()) + gap),
-        panel_height_(field_height * static_cast<int>(softness_.size()) + header + gap) {}
+        panel_height_(field_height * static_cast<int>(softness_.size()) + header + gap),
+        n_rows_((static_cast<int>(correction_.size()) + n_columns - 1) / n_columns) {}
 
   std::string svg() const {
-    const int width = left + panel_width_ * static_cast<int>(correction_.size());
-    const int height = top + panel_height_ * static_cast<int>(prone_.size()) + footer;
+    const int width =
+        left + panel_width_ * std::min(n_columns, static_cast<int>(correction_.size()));
+    const int height = top + panel_height_ * n_rows_ * static_cast<int>(prone_.size()) + footer;
     std::string text =
         format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" "
                "font-family=\"sans-serif\" font-size=\"11\">\n"
@@ -89,14 +91,19 @@ public:
   }
 
 private:
+  /// Upper left corner of the fields of a panel.
   int x(const std::string& correction) const {
-    return left + panel_width_ * place(correction_, correction);
+    return left + panel_width_ * (place(correction_, correction) % n_columns);
   }
-  int y(bool prone) const { return top + header + panel_height_ * place(prone_, prone); }
+  int y(bool prone, const std::string& correction) const {
+    const int row = n_rows_ * place(prone_, prone) + place(correction_, correction) / n_columns;
+    return top + header + panel_height_ * row;
+  }
 
   std::string field(const Run& run) const {
     const int x0 = x(run.correction.name()) + field_width * place(damping_, run.damping_factor);
-    const int y0 = y(run.prone) + field_height * place(softness_, run.softness);
+    const int y0 =
+        y(run.prone, run.correction.name()) + field_height * place(softness_, run.softness);
     return format("<rect x=\"%d\" y=\"%d\" width=\"%d\" height=\"%d\" fill=\"%s\" "
                   "stroke=\"white\"/>\n",
                   x0, y0, field_width, field_height, colour(run).c_str()) +
@@ -105,16 +112,18 @@ private:
   }
 
   std::string axes(bool prone) const {
-    const int y0 = y(prone), below = y0 + field_height * static_cast<int>(softness_.size()) + 12;
-    std::string text = label(8, y0 - 6, prone ? "prone" : "supine", "font-weight=\"bold\"");
-    for (const double s : softness_)
-      text += label(left - 6, y0 + field_height * place(softness_, s) + 15, format("%g", s),
-                    "text-anchor=\"end\"");
+    std::string text;
     for (const std::string& name : correction_) {
-      text += label(x(name), y0 - 6, name);
+      const int x0 = x(name), y0 = y(prone, name);
+      const int below = y0 + field_height * static_cast<int>(softness_.size()) + 12;
+      text += label(x0, y0 - 6, (prone ? "prone, " : "supine, ") + name);
       for (const double d : damping_)
-        text += label(x(name) + field_width * (place(damping_, d) + 0.5), below, format("%g", d),
+        text += label(x0 + field_width * (place(damping_, d) + 0.5), below, format("%g", d),
                       "text-anchor=\"middle\"");
+      if (x0 == left)
+        for (const double s : softness_)
+          text += label(left - 6, y0 + field_height * place(softness_, s) + 15, format("%g", s),
+                        "text-anchor=\"end\"");
     }
     return text;
   }
@@ -123,7 +132,7 @@ private:
   const std::vector<double> softness_, damping_;
   const std::vector<std::string> correction_;
   const std::vector<bool> prone_;
-  const int panel_width_, panel_height_;
+  const int panel_width_, panel_height_, n_rows_;
 };
 
 } // namespace
