@@ -25,7 +25,7 @@ struct Plan {
   std::vector<double> lags{0.1, 0.3, 1., 2.5, 5., 10.};
   std::vector<unsigned> intervals{1, 10, 50, 200};
   unsigned n_refinements = 1;
-  bool observe = true; ///< where the flutter stops, besides computing it
+  bool tells_spectra = true;
   unsigned max_steps = 20000;
 
   /// On a finer mesh, where modes are faster and steps shorter.
@@ -52,13 +52,12 @@ const char* table_head =
     "Re of K^-1 A from | largest jump |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n";
 
 /// Prints a row of the table of spectra.
-void print(const HalfBall& breast, const Spectrum& spectrum, bool observe) {
+void print(const HalfBall& breast, const Spectrum& spectrum) {
   const double unit = 2. * spectrum.lowest_frequency;
   const double predicted = spectrum.critical_damping;
   const double observed =
-      observe && predicted > 0.
-          ? observed_critical_damping(breast, 0.25 * predicted, 8. * predicted) / unit
-          : 0.;
+      predicted > 0. ? observed_critical_damping(breast, 0.25 * predicted, 8. * predicted) / unit
+                     : 0.;
   std::printf(" %.1f | %.1f | %.2f | %.2f | %.0f deg | %.2f | %.2f | %s | %.2f | %.2f |\n",
               breast.motion, spectrum.lowest_frequency, 1e3 * spectrum.critical_step,
               spectrum.asymmetry, spectrum.largest_angle, spectrum.step_ratio, predicted / unit,
@@ -67,17 +66,21 @@ void print(const HalfBall& breast, const Spectrum& spectrum, bool observe) {
   std::fflush(stdout);
 }
 
+const char* name_of(bool prone) {
+  return prone ? "prone" : "supine";
+}
+
 std::string csv(const std::vector<Run>& runs) {
   std::string text =
       "cells,state,softness,correction,lag_factor,interval,interval_time,damping_factor,"
       "damping_rate,outcome,steps,error_mm\n";
   for (const Run& run : runs) {
     const bool relaxed = run.correction.scheme == CorrectionScheme::relaxed;
-    text += format("%u,%s,%g,%s,%s,%u,%.3g,%g,%.4g,%s,%s,%s\n", run.n_cells,
-                   run.prone ? "prone" : "supine", run.softness, relaxed ? "relaxed" : "full",
+    text += format("%u,%s,%g,%s,%s,%u,%.3g,%g,%.4g,%s,%s,%s\n", run.n_cells, name_of(run.prone),
+                   run.softness, relaxed ? "relaxed" : "full",
                    relaxed ? format("%g", run.correction.lag_factor).c_str() : "",
                    run.correction.interval, run.interval_time, run.damping_factor, run.damping_rate,
-                   name_of(run.outcome),
+                   benchmarks::name_of(run.outcome),
                    run.outcome == Outcome::diverged ? "" : std::to_string(run.n_steps).c_str(),
                    run.outcome == Outcome::converged ? format("%.4f", run.error).c_str() : "");
   }
@@ -86,17 +89,21 @@ std::string csv(const std::vector<Run>& runs) {
 
 std::vector<Run> all_runs(const Plan& plan) {
   std::vector<Run> runs;
-  std::printf("%s", table_head);
+  if (plan.tells_spectra)
+    std::printf("%s", table_head);
   for (const bool prone : {true, false})
     for (const double softness : plan.softness) {
-      std::printf("| %s | %g |", prone ? "prone" : "supine", softness);
       const HalfBall coarse(softness, prone, std::min(plan.n_refinements, finest_spectrum));
       const Spectrum spectrum = coarse.has_solution ? measure_spectrum(coarse) : Spectrum();
       if (!spectrum.is_stable) {
-        std::printf(" has no stable unloaded state | | | | | | | | | |\n");
+        std::printf("| %s | %g | has no stable unloaded state | | | | | | | | | |\n",
+                    name_of(prone), softness);
         continue;
       }
-      print(coarse, spectrum, plan.observe);
+      if (plan.tells_spectra) {
+        std::printf("| %s | %g |", name_of(prone), softness);
+        print(coarse, spectrum);
+      }
       const HalfBall breast(softness, prone, plan.n_refinements);
       for (const Correction& correction : plan.corrections())
         for (const double factor : plan.damping_factors) {
