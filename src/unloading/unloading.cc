@@ -121,7 +121,9 @@ UnloadingResult Unloading::simulate(unsigned max_steps, bool until_settled) {
 void Unloading::correct_unloaded_positions() {
   const double lag = lag_factor_ / damping_.time_scale();
   const double beta =
-      lag > 0. ? std::min(1., parameters_.correction_interval * integrator_.time_step() / lag) : 1.;
+      parameters_.correction_scheme() == CorrectionScheme::full
+          ? 1.
+          : std::min(1., parameters_.correction_interval * integrator_.time_step() / lag);
   const NodeVector& loaded = body_.vertex_positions();
   state_.displacement.update_ghost_values();
   for (unsigned i = 0; i < 3 * body_.n_local_nodes(); ++i) {
@@ -199,22 +201,32 @@ bool Unloading::is_healthy(const mechanics::StepReport& report) const {
 
 void Unloading::retreat(const mechanics::StepReport& report, UnloadingResult& result) {
   const std::string reason = diagnosis(report);
+  const bool is_full =
+      !holds_reference_ && parameters_.correction_scheme() == CorrectionScheme::full;
   restore(last_good_);
   state_.velocity = 0.;
   integrator_.velocity() = 0.;
   if (result.n_retries >= parameters_.max_retries)
     throw DivergenceError(
         "The unloading of " + name_ + " diverged at step " + std::to_string(result.n_steps) + " (" +
-        reason + ") and " + std::to_string(result.n_retries) +
-        " retries with longer lags and smaller steps did not help; the body may be too soft for "
-        "its weight, so raise 'Material/Shear modulus' or check the mask and mesh there.");
+        reason + ") and " + std::to_string(result.n_retries) + " retries with " +
+        (is_full
+             ? "smaller steps did not help; the full correction flutters on soft bodies, so "
+               "choose 'Unloading/Correction' = relaxed, or raise 'Unloading/Damping rate' with "
+               "'Unloading/Damping' = fixed."
+             : "longer lags and smaller steps did not help; the body may be too soft for "
+               "its weight, so raise 'Material/Shear modulus' or check the mask and mesh "
+               "there."));
   ++result.n_retries;
-  lag_factor_ = 2. * std::max(lag_factor_, parameters_.correction_interval *
-                                               integrator_.time_step() * damping_.time_scale());
+  if (!is_full) // who asks for the paper's scheme gets it to the end
+    lag_factor_ = 2. * std::max(lag_factor_, parameters_.correction_interval *
+                                                 integrator_.time_step() * damping_.time_scale());
   safety_ *= 0.8;
   update_mass();
-  log_.line(format("  %s: %s; back to the last good state, lag factor %.1f, time step %.2f ms",
-                   name_.c_str(), reason.c_str(), lag_factor_, 1e3 * integrator_.time_step()));
+  log_.line(format("  %s: %s; back to the last good state, %s, time step %.2f ms", name_.c_str(),
+                   reason.c_str(),
+                   is_full ? "full correction" : format("lag factor %.1f", lag_factor_).c_str(),
+                   1e3 * integrator_.time_step()));
 }
 
 std::string Unloading::diagnosis(const mechanics::StepReport& report) const {

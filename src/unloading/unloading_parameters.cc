@@ -6,11 +6,21 @@ namespace prosup::unloading {
 
 using namespace dealii;
 
+const std::vector<std::string>& correction_names() {
+  static const std::vector<std::string> names{"relaxed", "full"};
+  return names;
+}
+
 UnloadingParameters::UnloadingParameters()
-    : ParameterAcceptor("Unloading"), damping("lowest-frequency") {}
+    : ParameterAcceptor("Unloading"), damping("lowest-frequency"),
+      correction(correction_names().front()) {}
 
 mechanics::DampingScheme UnloadingParameters::damping_scheme() const {
   return enumerator<mechanics::DampingScheme>(damping, mechanics::damping_names());
+}
+
+CorrectionScheme UnloadingParameters::correction_scheme() const {
+  return enumerator<CorrectionScheme>(correction, correction_names());
 }
 
 void UnloadingParameters::declare_parameters(ParameterHandler& prm) {
@@ -31,11 +41,17 @@ void UnloadingParameters::declare_parameters(ParameterHandler& prm) {
                     "and of the others until they have an estimate. Units: 1/s.",
                     Patterns::Double(0., 1e6));
   prm.add_parameter(
-      "Lag factor", lag_factor,
-      "tau r/rho: the time tau in which the unloaded positions follow the prediction, every n "
-      "steps X <- X + min(1, n h/tau) (x - u - X), times the damping rate. Should be above 1; 0 "
-      "is the full correction of the paper. Units: none.",
-      Patterns::Double(0., 1e6));
+      "Correction", correction,
+      "How the unloaded positions X are corrected every n steps of length h. relaxed: X "
+      "<- X + min(1, n h/tau) (x - u - X), stable and exact. full: X <- x - u, as in "
+      "the paper; flutters unless the body is stiff or the damping strong "
+      "(docs/unloading.md). Units: none.",
+      one_of(correction_names()));
+  prm.add_parameter("Lag factor", lag_factor,
+                    "tau r/rho of the relaxed correction: the time tau in which the unloaded "
+                    "positions follow the prediction, times the damping rate. Should be above 1. "
+                    "Units: none.",
+                    Patterns::Double(1e-3, 1e6));
   prm.add_parameter("Correction interval", correction_interval,
                     "n, steps between two corrections of the unloaded positions. Units: none.",
                     Patterns::Integer(1, 100000));
@@ -66,7 +82,7 @@ void UnloadingParameters::declare_parameters(ParameterHandler& prm) {
   prm.add_parameter(
       "Maximum retries", max_retries,
       "How often a diverging simulation goes back to its last good state and continues "
-      "with a longer lag and a smaller step. Units: none.",
+      "with a smaller step and, if the correction is relaxed, a longer lag. Units: none.",
       Patterns::Integer(0, 100));
 }
 

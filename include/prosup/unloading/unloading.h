@@ -32,7 +32,8 @@ struct UnloadingResult {
 /// prediction-correction of the paper (its Fig. 3) in Lagrangian form. The
 /// loaded position x of each node is known. A forward simulation on the
 /// current X predicts the displacement u, and every n steps
-///   X <- X + beta (x - u - X),  beta = min(1, n h/tau), tau = lag factor/(r/rho).
+///   X <- X + beta (x - u - X),  beta = min(1, n h/tau), tau = lag factor/(r/rho),
+/// or beta = 1 with the full correction of the paper (docs/unloading.md).
 /// Where it settles, internal(X -> x) = gravity + extra force + supports, and
 /// X + u = x. Nodes that slide on a surface are put back to it in both
 /// configurations.
