@@ -60,7 +60,7 @@ void add_shapes(std::vector<Case>& cases) {
   cases.push_back(named("slivers", "30 slivers of aspect 100"));
   cases.back().edit = [](mesh::TetMesh& mesh) { make_slivers(mesh, 100., 30); };
   cases.push_back(named("few-cells", "some 200 cells"));
-  cases.back().small_edge = cases.back().full_edge = 27.;
+  cases.back().small_edge = cases.back().full_edge = 20.;
   cases.push_back(named("many-cells", "some 500,000 cells"));
   cases.back().small_edge = 11.;
   cases.back().full_edge = 3.7;

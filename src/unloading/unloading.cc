@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "divergence_guard.h"
 #include "prosup/core/error.h"
 
 namespace prosup::unloading {
@@ -19,7 +20,8 @@ namespace {
 // intervals: its bound costs as much as a few steps.
 constexpr unsigned corrections_per_mass_update = 20;
 constexpr unsigned corrections_per_snapshot = 10;
-constexpr double smallest_healthy_jacobian = 0.02;
+// What residual and displacement say about the distance that is left, mm.
+constexpr double largest_rest = 0.04;
 
 Tensor<1, 3> gravity_vector(const UnloadingParameters& parameters, const Tensor<1, 3>& direction) {
   if (!(direction.norm() > 0.))
@@ -42,7 +44,11 @@ Unloading::Unloading(const UnloadingParameters& parameters, const mechanics::Bod
       internal_force_(body), highest_frequency_(body, internal_force_),
       integrator_(body, internal_force_),
       damping_(parameters.damping_scheme(), parameters.damping_rate, body),
-      lag_factor_(parameters.lag_factor), safety_(parameters.step_safety) {
+      guard_(std::make_unique<DivergenceGuard>(parameters, body, gravity_)) {
+  if (!(parameters.damping_rate > 0.))
+    throw Error(format("'Unloading/Damping rate' is %g; it has to be positive, as ramp and lag are "
+                       "measured in it and nothing settles without damping.",
+                       parameters.damping_rate));
   if (Utilities::MPI::max(static_cast<int>(std::count(fixed_.begin(), fixed_.end(), true)),
                           body.communicator()) == 0)
     throw Error("No node of " + name_ +
@@ -58,7 +64,10 @@ Unloading::Unloading(const UnloadingParameters& parameters, const mechanics::Bod
   integrator_.set_damping(parameters.damping_rate);
 }
 
+Unloading::~Unloading() = default;
+
 void Unloading::set_material(const std::vector<mechanics::LameParameters>& parameters) {
+  guard_->set_material(parameters);
   internal_force_.set_material(parameters);
   update_reference();
   update_mass();
@@ -81,7 +90,7 @@ UnloadingResult Unloading::advance(unsigned n_steps) {
 
 UnloadingResult Unloading::simulate(unsigned max_steps, bool until_settled) {
   UnloadingResult result;
-  last_good_ = save();
+  guard_->begin(save());
   unsigned n_corrections = 0;
   while (result.n_steps < max_steps) {
     const unsigned n = std::min(parameters_.correction_interval, max_steps - result.n_steps);
@@ -100,8 +109,8 @@ UnloadingResult Unloading::simulate(unsigned max_steps, bool until_settled) {
 
     mechanics::StepReport report = integrator_.report();
     report.min_jacobian = Utilities::MPI::min(min_jacobian_, body_.communicator());
-    if (!is_healthy(report)) {
-      retreat(report, result);
+    if (const std::string trouble = guard_->trouble(report, reference_volume_); !trouble.empty()) {
+      retreat(trouble, false, result);
       continue;
     }
     result.min_jacobian = report.min_jacobian;
@@ -111,21 +120,30 @@ UnloadingResult Unloading::simulate(unsigned max_steps, bool until_settled) {
                          name_.c_str(), result.n_steps, result.residual, result.distance,
                          result.min_jacobian));
     result.converged = result.residual < parameters_.residual_tolerance &&
-                       result.distance < parameters_.position_tolerance && fully_loaded_;
+                       result.distance < parameters_.position_tolerance && fully_loaded_ &&
+                       result.residual * largest_displacement() < largest_rest;
+    has_settled_ = has_settled_ || result.converged;
     if ((result.converged && until_settled) || (observer_ && !observer_(result.n_steps)))
       break;
+    if (until_settled && is_stalled(result)) {
+      if (!recover_from_stall(result))
+        break;
+      continue;
+    }
     if (++n_corrections % corrections_per_snapshot == 0)
-      last_good_ = save();
+      guard_->keep(save());
     if (!holds_reference_)
       correct_unloaded_positions();
     if (n_corrections % corrections_per_mass_update == 0)
       update_mass();
   }
+  if (until_settled && !result.converged && result.explanation.empty())
+    result.explanation = explain_unsettled(result);
   return result;
 }
 
 void Unloading::correct_unloaded_positions() {
-  const double lag = lag_factor_ / damping_.time_scale();
+  const double lag = guard_->values().lag_factor / damping_.time_scale();
   const double beta =
       lag > 0. ? std::min(1., parameters_.correction_interval * integrator_.time_step() / lag) : 1.;
   const NodeVector& loaded = body_.vertex_positions();
@@ -154,34 +172,26 @@ void Unloading::update_mass() {
   integrator_.set_mass(mechanics::stable_mass(body_, internal_force_, highest_frequency_,
                                               state_.displacement, fixed_, parameters_.density,
                                               parameters_.scaled_fraction),
-                       safety_);
-  // All of the body faster than it would be after falling freely through its
-  // own size is no settling motion.
-  double lower = std::numeric_limits<double>::max(), upper = -lower, mass = 0.;
-  for (unsigned node = 0; node < body_.n_owned_nodes(); ++node) {
-    const double height = node_value(body_.vertex_positions(), node) * gravity_;
-    lower = std::min(lower, height);
-    upper = std::max(upper, height);
+                       guard_->values().step_safety);
+  double mass = 0.;
+  for (unsigned node = 0; node < body_.n_owned_nodes(); ++node)
     mass += parameters_.density * nodal_volume_[node];
-  }
-  const MPI_Comm communicator = body_.communicator();
-  kinetic_energy_limit_ =
-      Utilities::MPI::sum(mass, communicator) *
-      (Utilities::MPI::max(upper, communicator) - Utilities::MPI::min(lower, communicator));
+  guard_->set_mass(Utilities::MPI::sum(mass, body_.communicator()));
 }
 
 void Unloading::update_external_force() {
-  const double gravity_part =
-      parameters_.gravity_ramp > 0. ? std::min(1., state_.loading / parameters_.gravity_ramp) : 1.;
+  const double ramp = guard_->values().gravity_ramp;
+  const double gravity_part = ramp > 0. ? std::min(1., state_.loading / ramp) : 1.;
   const double since = state_.time - state_.ramp_start;
   const double increment_part = state_.ramp_time > 0. ? std::min(1., since / state_.ramp_time) : 1.;
   fully_loaded_ = gravity_part == 1. && increment_part == 1.;
   for (unsigned node = 0; node < body_.n_owned_nodes(); ++node)
     for (unsigned c = 0; c < 3; ++c) {
       const unsigned i = 3 * node + c;
-      external_force_.local_element(i) =
-          gravity_part * parameters_.density * nodal_volume_[node] * gravity_[c] +
-          state_.force.local_element(i) + increment_part * state_.force_increment.local_element(i);
+      external_force_.local_element(i) = part_of_gravity_ * gravity_part * parameters_.density *
+                                             nodal_volume_[node] * gravity_[c] +
+                                         state_.force.local_element(i) +
+                                         increment_part * state_.force_increment.local_element(i);
     }
 }
 
@@ -195,45 +205,11 @@ double Unloading::max_distance() const {
   return std::sqrt(Utilities::MPI::max(largest, body_.communicator()));
 }
 
-bool Unloading::is_healthy(const mechanics::StepReport& report) const {
-  return report.min_jacobian > smallest_healthy_jacobian && reference_volume_ > 0. &&
-         std::isfinite(report.residual_norm) && std::isfinite(report.kinetic_energy) &&
-         (parameters_.gravity <= 0. || report.kinetic_energy <= kinetic_energy_limit_);
-}
-
-void Unloading::retreat(const mechanics::StepReport& report, UnloadingResult& result) {
-  const std::string reason = diagnosis(report);
-  restore(last_good_);
-  state_.velocity = 0.;
-  integrator_.velocity() = 0.;
-  if (result.n_retries >= parameters_.max_retries)
-    throw DivergenceError(
-        "The unloading of " + name_ + " diverged at step " + std::to_string(result.n_steps) + " (" +
-        reason + ") and " + std::to_string(result.n_retries) +
-        " retries with longer lags and smaller steps did not help; the body may be too soft for "
-        "its weight, so raise 'Material/Shear modulus' or check the mask and mesh there.");
-  ++result.n_retries;
-  lag_factor_ = 2. * std::max(lag_factor_, parameters_.correction_interval *
-                                               integrator_.time_step() * damping_.time_scale());
-  safety_ *= 0.8;
-  update_mass();
-  log_.line(format("  %s: %s; back to the last good state, lag factor %.1f, time step %.2f ms",
-                   name_.c_str(), reason.c_str(), lag_factor_, 1e3 * integrator_.time_step()));
-}
-
-std::string Unloading::diagnosis(const mechanics::StepReport& report) const {
-  if (!std::isfinite(report.residual_norm) || !std::isfinite(report.kinetic_energy))
-    return "forces are not finite";
-  if (!(reference_volume_ > 0.))
-    return "an element of the unloaded configuration is inverted";
-  if (report.min_jacobian > smallest_healthy_jacobian)
-    return format("the kinetic energy grew to %.2g g mm^2/s^2", report.kinetic_energy);
-  const std::string mine = internal_force_.describe_worst_cell(state_.unloaded, state_.displacement,
-                                                               smallest_healthy_jacobian);
-  for (const std::string& cell : Utilities::MPI::all_gather(body_.communicator(), mine))
-    if (!cell.empty())
-      return cell + " collapsed";
-  return format("an element collapsed to J = %.2g", report.min_jacobian);
+double Unloading::largest_displacement() const {
+  double largest = 0.;
+  for (unsigned node = 0; node < body_.n_owned_nodes(); ++node)
+    largest = std::max(largest, node_value(state_.displacement, node).norm_square());
+  return std::sqrt(Utilities::MPI::max(largest, body_.communicator()));
 }
 
 Unloading::State Unloading::state_with_velocity() const {

@@ -2,6 +2,7 @@
 #define PROSUP_UNLOADING_UNLOADING_H
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,7 +26,10 @@ struct UnloadingResult {
   double residual = 0.;     ///< out-of-balance force over weight
   double distance = 0.;     ///< max |x - u - X|, mm
   double min_jacobian = 0.; ///< smallest J = det dx/dX
+  std::string explanation;  ///< why run() stopped without having settled; else empty
 };
+
+class DivergenceGuard;
 
 /// Finds the unloaded configuration X of a body imaged under gravity by the
 /// prediction-correction of the paper (its Fig. 3) in Lagrangian form. The
@@ -47,6 +51,7 @@ public:
   Unloading(const UnloadingParameters& parameters, const mechanics::Body& body,
             const dealii::Tensor<1, 3>& gravity_direction, std::string name = "body",
             const Log& log = Log());
+  ~Unloading();
 
   /// As InternalForce::set_material. Keeps the state: a changed material
   /// continues from the present configuration.
@@ -66,9 +71,12 @@ public:
   using Observer = std::function<bool(unsigned n_steps)>;
   void set_observer(Observer observer) { observer_ = std::move(observer); }
 
-  /// Simulates until settled to the tolerances.
-  /// @throws DivergenceError with a diagnosis when all retries are used up;
-  /// the last good state is restored first.
+  /// Simulates until settled to the tolerances. Where it diverges or gets no
+  /// nearer it goes back to a good state and continues with a longer lag, a smaller
+  /// step and a slower ramp.
+  /// @throws DivergenceError with a diagnosis when all retries are used up; the
+  /// last good state is restored first. A body that has never settled is then
+  /// searched for the part of gravity under which it does, in a few short runs.
   UnloadingResult run();
 
   /// Simulates `n_steps` steps. @throws as run().
@@ -92,9 +100,13 @@ private:
   void update_mass();
   void update_external_force();
   double max_distance() const;
-  bool is_healthy(const mechanics::StepReport& report) const;
-  void retreat(const mechanics::StepReport& report, UnloadingResult& result);
-  std::string diagnosis(const mechanics::StepReport& report) const;
+  double largest_displacement() const;
+  bool is_stalled(const UnloadingResult& result) const;
+  bool recover_from_stall(UnloadingResult& result);
+  void retreat(const std::string& trouble, bool is_stalled, UnloadingResult& result);
+  std::string explain_unsettled(const UnloadingResult& result) const;
+  std::string search_load();
+  bool settles();
   State state_with_velocity() const;
 
   const UnloadingParameters& parameters_;
@@ -109,17 +121,16 @@ private:
   mechanics::DampingControl damping_;
   Observer observer_;
   State state_;
-  State last_good_;
+  std::unique_ptr<DivergenceGuard> guard_;
   NodeVector external_force_;
   std::vector<double> nodal_volume_;
   bool holds_reference_ = false;
   bool fully_loaded_ = false; // all ramps were over in the last steps
+  bool has_settled_ = false;
+  double part_of_gravity_ = 1.;
   double weight_norm_ = 0.;
-  double lag_factor_;
-  double safety_;
   double min_jacobian_ = 1.;     // this rank's, since the last report
   double reference_volume_ = 1.; // smallest cell volume, all ranks
-  double kinetic_energy_limit_ = 0.;
 };
 
 } // namespace prosup::unloading

@@ -1,0 +1,122 @@
+// What Unloading does when it diverges or gets no nearer.
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "divergence_guard.h"
+#include "prosup/core/error.h"
+
+namespace prosup::unloading {
+
+using namespace dealii;
+
+namespace {
+
+// The search for the part of gravity that can be unloaded: to 1/32 of it.
+constexpr unsigned n_tries = 5, steps_per_try = 2000;
+
+} // namespace
+
+/// Collective: the result is known to all ranks.
+bool Unloading::is_stalled(const UnloadingResult& result) const {
+  const double error = std::max(result.residual / parameters_.residual_tolerance,
+                                result.distance / parameters_.position_tolerance);
+  return fully_loaded_ && guard_->is_stalled(error, state_.loading, result.n_steps);
+}
+
+/// Returns whether the simulation may go on.
+bool Unloading::recover_from_stall(UnloadingResult& result) {
+  const bool is_near = result.residual < 10. * parameters_.residual_tolerance &&
+                       result.distance < 10. * parameters_.position_tolerance;
+  if (!guard_->may_retry() && is_near) {
+    result.explanation = explain_unsettled(result);
+    return false;
+  }
+  retreat(format("neither settles nor diverges, residual %.1e, max |x-u-X| %.3f mm",
+                 result.residual, result.distance),
+          true, result);
+  return true;
+}
+
+void Unloading::retreat(const std::string& trouble, bool is_stalled, UnloadingResult& result) {
+  state_.displacement.update_ghost_values();
+  std::string reason = trouble;
+  if (const std::string cell = guard_->worst_cell(internal_force_, state_.displacement);
+      !cell.empty())
+    reason += ", " + cell;
+  const bool changes_damping =
+      is_stalled && damping_.mend_fixed_rate(integrator_, state_.displacement, external_force_);
+  const bool may_retry = guard_->may_retry();
+  if (may_retry)
+    guard_->retreat(parameters_.correction_interval * integrator_.time_step() *
+                        damping_.time_scale(),
+                    is_stalled);
+  restore(guard_->last_good());
+  state_.velocity = 0.;
+  integrator_.velocity() = 0.;
+  if (!may_retry)
+    throw DivergenceError("The unloading of " + name_ + " diverged at step " +
+                          std::to_string(result.n_steps) + " (" + reason + "; " +
+                          guard_->softness() + ") and " + std::to_string(result.n_retries) +
+                          " retries with longer lags, smaller steps and slower ramps did not help" +
+                          search_load() + ".");
+  ++result.n_retries;
+  update_mass();
+  log_.line(format("  %s: %s; back to the last good state, lag factor %.1f, time step %.2f ms%s",
+                   name_.c_str(), reason.c_str(), guard_->values().lag_factor,
+                   1e3 * integrator_.time_step(),
+                   changes_damping ? ", damping from the lowest frequency" : ""));
+}
+
+std::string Unloading::explain_unsettled(const UnloadingResult& result) const {
+  return format(
+      "%s had not settled after %u steps and %u retries (residual %.1e of the weight, max "
+      "|x-u-X| %.3f mm): %s.",
+      name_.c_str(), result.n_steps, result.n_retries, result.residual, result.distance,
+      fully_loaded_ ? "raise 'Unloading/Maximum steps' or its tolerances"
+                    : "the load was still rising, so shorten its ramp or raise the damping rate");
+}
+
+/// Says up to which part of gravity the body settles. Whoever has seen it settle
+/// tries other things, and only has to know that they fail.
+std::string Unloading::search_load() {
+  if (has_settled_ || part_of_gravity_ < 1. || parameters_.gravity <= 0.)
+    return "; the body may be too soft for its load, so raise 'Material/Shear modulus' or check "
+           "the mask and mesh there";
+  log_.line("  " + name_ + ": looking for the part of its weight under which it settles");
+  const State first = guard_->first(), last_good = guard_->last_good();
+  const Observer observer = std::exchange(observer_, nullptr);
+  double settled = 0., failed = 1.;
+  for (unsigned i = 0; i < n_tries; ++i) {
+    part_of_gravity_ = 0.5 * (settled + failed);
+    guard_->be_careful();
+    restore(first);
+    update_mass();
+    (settles() ? settled : failed) = part_of_gravity_;
+  }
+  part_of_gravity_ = 1.;
+  has_settled_ = false;
+  observer_ = observer;
+  restore(last_good);
+  const char* const state = holds_reference_ ? "a loaded state" : "an unloaded state";
+  if (settled == 0.)
+    return format(
+        "; %s was not even found for %.2f of the weight, so check the mask and mesh there, "
+        "and 'Material'",
+        state, failed);
+  return format("; %s exists up to %.2f of the weight and was not found for %.2f, so raise "
+                "'Material/Shear modulus' or check the mask and mesh there",
+                state, settled, failed);
+}
+
+bool Unloading::settles() {
+  try {
+    return simulate(std::min(steps_per_try, parameters_.max_steps), true).converged;
+  } catch (const DivergenceError&) {
+    return false;
+  }
+}
+
+} // namespace prosup::unloading
