@@ -18,18 +18,30 @@ namespace {
 
 constexpr double smallest_healthy_jacobian = 0.02;
 
+// The mass follows the deformation (smaller cells, stiffer tangent) in intervals: its
+// bound costs as much as a few steps.
+constexpr unsigned corrections_per_mass_update = 20;
+
 // An error that falls by less than this part in a window of this many lag times and
 // steps does not fall. Slow modes of nearly incompressible tissue need some patience.
 constexpr double least_progress = 0.2;
 constexpr double window_in_lags = 20.;
 constexpr unsigned window_in_steps = 300;
 
+constexpr double ramp_in_lags = 4.;
+
+std::string describe(const mechanics::InternalForce::WorstCell& worst, double jacobian) {
+  return format("cell %u near (%.1f, %.1f, %.1f) mm with J = %.2g", worst.cell, worst.centre[0],
+                worst.centre[1], worst.centre[2], jacobian);
+}
+
 } // namespace
 
 DivergenceGuard::DivergenceGuard(const UnloadingParameters& parameters, const mechanics::Body& body,
                                  const Tensor<1, 3>& gravity)
     : parameters_(parameters),
-      body_(body), values_{parameters.lag_factor, parameters.step_safety, parameters.gravity_ramp},
+      body_(body), values_{parameters.lag_factor, parameters.step_safety, parameters.gravity_ramp,
+                           corrections_per_mass_update},
       max_retries_(parameters.max_retries) {
   double lower = std::numeric_limits<double>::max(), upper = -lower;
   for (unsigned node = 0; node < body.n_owned_nodes(); ++node) {
@@ -52,24 +64,43 @@ void DivergenceGuard::set_material(const std::vector<mechanics::LameParameters>&
 
 void DivergenceGuard::begin(Unloading::State state) {
   first_ = last_good_ = std::move(state);
+  last_good_error_ = std::numeric_limits<double>::max();
   n_retries_ = 0;
-  has_kept_ = true;
+  has_kept_ = false;
   smallest_error_ = 0.;
+  forget_steps();
 }
 
-void DivergenceGuard::keep(Unloading::State state) {
+void DivergenceGuard::keep(Unloading::State state, double error) {
   last_good_ = std::move(state);
+  last_good_error_ = error;
   has_kept_ = true;
+}
+
+void DivergenceGuard::forget_steps() {
+  n_watched_ = 0;
+  collapsed_cell_.clear();
+}
+
+void DivergenceGuard::watch_step(double min_jacobian,
+                                 const mechanics::InternalForce& internal_force,
+                                 const NodeVector& displacement) {
+  ++n_watched_;
+  if (min_jacobian > smallest_healthy_jacobian || !collapsed_cell_.empty())
+    return;
+  first_collapse_ = n_watched_;
+  collapsed_cell_ =
+      describe(internal_force.worst_cell(body_.vertex_positions(), displacement), min_jacobian);
 }
 
 std::string DivergenceGuard::trouble(const mechanics::StepReport& report,
                                      double reference_volume) const {
-  if (!std::isfinite(report.residual_norm) || !std::isfinite(report.kinetic_energy))
-    return "forces are not finite";
   if (!(reference_volume > 0.))
     return "an element of the unloaded configuration is inverted";
   if (!(report.min_jacobian > smallest_healthy_jacobian))
     return "an element collapsed";
+  if (!std::isfinite(report.residual_norm) || !std::isfinite(report.kinetic_energy))
+    return "forces are not finite";
   if (parameters_.gravity > 0. && report.kinetic_energy > kinetic_energy_limit_)
     return "the body moves faster than in a free fall";
   return {};
@@ -77,31 +108,38 @@ std::string DivergenceGuard::trouble(const mechanics::StepReport& report,
 
 std::string DivergenceGuard::worst_cell(const mechanics::InternalForce& internal_force,
                                         const NodeVector& displacement) const {
-  const auto mine = internal_force.worst_cell(body_.vertex_positions(), displacement);
-  const std::string text = format("cell %u near (%.1f, %.1f, %.1f) mm has J = %.2g", mine.cell,
-                                  mine.centre[0], mine.centre[1], mine.centre[2], mine.jacobian);
-  const auto jacobians = Utilities::MPI::all_gather(body_.communicator(), mine.jacobian);
-  const auto texts = Utilities::MPI::all_gather(body_.communicator(), text);
-  const auto worst = std::min_element(jacobians.begin(), jacobians.end());
-  return *worst < std::numeric_limits<double>::max() ? texts[worst - jacobians.begin()] : "";
+  constexpr double never = std::numeric_limits<double>::max();
+  const MPI_Comm communicator = body_.communicator();
+  const auto worst_of_ranks = [&](double order, const std::string& text) -> std::string {
+    const auto orders = Utilities::MPI::all_gather(communicator, order);
+    const auto texts = Utilities::MPI::all_gather(communicator, text);
+    const auto first = std::min_element(orders.begin(), orders.end());
+    return *first < never ? texts[first - orders.begin()] : "";
+  };
+  const std::string collapsed =
+      worst_of_ranks(collapsed_cell_.empty() ? never : first_collapse_, collapsed_cell_);
+  if (!collapsed.empty())
+    return collapsed;
+  const auto worst = internal_force.worst_cell(body_.vertex_positions(), displacement);
+  return worst_of_ranks(worst.jacobian, describe(worst, worst.jacobian));
 }
 
-bool DivergenceGuard::is_stalled(double error, double elapsed, unsigned n_steps) {
-  if (smallest_error_ == 0. || elapsed < window_start_) { // the first of a window
+bool DivergenceGuard::is_stalled(double error, double duration, unsigned n_steps) {
+  if (smallest_error_ == 0.) { // the first look
     smallest_error_ = error;
     smallest_before_ = std::numeric_limits<double>::max();
-    window_start_ = elapsed;
+    window_ = 0.;
     window_first_step_ = n_steps;
-    return false;
   }
   smallest_error_ = std::min(smallest_error_, error);
-  if (elapsed < window_start_ + window_in_lags * std::max(1., values_.lag_factor) ||
+  window_ += duration;
+  if (window_ < window_in_lags * std::max(1., values_.lag_factor) ||
       n_steps < window_first_step_ + window_in_steps)
     return false;
   const bool result = smallest_error_ > (1. - least_progress) * smallest_before_;
   smallest_before_ = std::min(smallest_before_, smallest_error_);
   smallest_error_ = error;
-  window_start_ = elapsed;
+  window_ = 0.;
   window_first_step_ = n_steps;
   return result;
 }
@@ -109,20 +147,28 @@ bool DivergenceGuard::is_stalled(double error, double elapsed, unsigned n_steps)
 const Unloading::State& DivergenceGuard::retreat(double correction_lag, bool is_stalled) {
   ++n_retries_;
   values_.lag_factor = 2. * std::max(values_.lag_factor, correction_lag);
-  values_.step_safety *= is_stalled ? 1. : 0.8;
-  if (!has_kept_) {
-    last_good_ = first_;
-    values_.gravity_ramp *= 2.;
+  // A load that rises faster than the unloaded positions follow acts on a body that
+  // hangs already.
+  values_.gravity_ramp = std::max(2. * values_.gravity_ramp, ramp_in_lags * values_.lag_factor);
+  if (!is_stalled) {
+    values_.step_safety *= 0.8;
+    values_.mass_interval = std::max(1u, values_.mass_interval / 2);
+    if (!has_kept_)
+      last_good_ = first_;
   }
+  last_good_error_ = std::numeric_limits<double>::max();
   has_kept_ = false;
   smallest_error_ = 0.;
+  forget_steps();
   return last_good_;
 }
 
 void DivergenceGuard::be_careful() {
-  values_ = {4. * std::max(1., parameters_.lag_factor), 0.8 * std::min(1., parameters_.step_safety),
-             std::max(1., parameters_.gravity_ramp)};
-  max_retries_ = std::min(2u, parameters_.max_retries);
+  values_.lag_factor = 4. * std::max(1., parameters_.lag_factor);
+  values_.gravity_ramp = std::max(parameters_.gravity_ramp, ramp_in_lags * values_.lag_factor);
+  values_.step_safety = 0.8 * std::min(1., parameters_.step_safety);
+  values_.mass_interval = corrections_per_mass_update / 4;
+  max_retries_ = std::min(3u, parameters_.max_retries);
 }
 
 std::string DivergenceGuard::softness() const {

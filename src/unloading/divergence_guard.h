@@ -16,9 +16,10 @@ public:
   DivergenceGuard(const UnloadingParameters& parameters, const mechanics::Body& body,
                   const dealii::Tensor<1, 3>& gravity);
 
-  /// Values of the parameters that a return makes safer.
+  /// Values that a return makes safer.
   struct Values {
-    double lag_factor, step_safety, gravity_ramp;
+    double lag_factor, step_safety, gravity_ramp; ///< as in the parameters
+    unsigned mass_interval;                       ///< corrections between updates of the mass
   };
   const Values& values() const { return values_; }
 
@@ -29,18 +30,28 @@ public:
 
   /// A new simulation starts from this state, with all tries to go.
   void begin(Unloading::State state);
-  void keep(Unloading::State state);
+  /// Good are states under the whole load that are nearer to settled than any before:
+  /// what comes before, or swings, may be about to diverge.
+  bool is_good(double error) const { return error < last_good_error_; }
+  void keep(Unloading::State state, double error);
 
-  /// What is wrong with a state; empty if nothing is.
+  /// Looks at this rank's smallest J before a step; remembers the first cell to
+  /// collapse. Not collective.
+  void watch_step(double min_jacobian, const mechanics::InternalForce& internal_force,
+                  const NodeVector& displacement);
+  /// As before the first step.
+  void forget_steps();
+  /// What is wrong with a state after the steps watched; empty if nothing is.
   std::string trouble(const mechanics::StepReport& report, double reference_volume) const;
-  /// "cell 7 near (1.0, 2.0, 3.0) mm has J = 0.01": the worst one of all ranks, at
-  /// its place in the loaded mesh. Empty if there is none but not a number.
+  /// "cell 7 near (1.0, 2.0, 3.0) mm with J = 0.01": the first to collapse of all
+  /// ranks or, if none did, the worst one now, at its place in the loaded mesh.
   std::string worst_cell(const mechanics::InternalForce& internal_force,
                          const NodeVector& displacement) const;
 
-  /// Looks at the error of a healthy state over its tolerance. Does it neither
-  /// fall nor diverge? `elapsed` is time in damping times.
-  bool is_stalled(double error, double elapsed, unsigned n_steps);
+  /// Looks at the error of a healthy state over its tolerance, `duration` damping
+  /// times after the last look. Does it neither fall nor diverge?
+  bool is_stalled(double error, double duration, unsigned n_steps);
+
   bool may_retry() const { return n_retries_ < max_retries_; }
   /// The state to go on from, the values being safer: the last good one, or where
   /// that led nowhere the first. `correction_lag` is n h r/rho, the shortest lag
@@ -65,9 +76,14 @@ private:
   double mean_shear_modulus_ = 0.;
   double kinetic_energy_limit_ = 0.;
   Unloading::State first_, last_good_;
+  double last_good_error_ = 0.;
   bool has_kept_ = false; ///< since the last return
+  // Of the watch over steps, since the last look for trouble.
+  unsigned n_watched_ = 0, first_collapse_ = 0; ///< steps
+  std::string collapsed_cell_;
   // Of the watch for stalls.
-  double smallest_error_ = 0., smallest_before_ = 0., window_start_ = 0.;
+  double smallest_error_ = 0., smallest_before_ = 0.;
+  double window_ = 0.; ///< damping times so far
   unsigned window_first_step_ = 0;
 };
 

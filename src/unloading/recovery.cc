@@ -15,26 +15,18 @@ using namespace dealii;
 namespace {
 
 // The search for the part of gravity that can be unloaded: to 1/32 of it.
-constexpr unsigned n_tries = 5, steps_per_try = 2000;
+constexpr unsigned n_tries = 5, steps_per_try = 4000;
 
 } // namespace
 
-/// Collective: the result is known to all ranks.
-bool Unloading::is_stalled(const UnloadingResult& result) const {
-  const double error = std::max(result.residual / parameters_.residual_tolerance,
-                                result.distance / parameters_.position_tolerance);
-  return fully_loaded_ && guard_->is_stalled(error, state_.loading, result.n_steps);
-}
-
 /// Returns whether the simulation may go on.
-bool Unloading::recover_from_stall(UnloadingResult& result) {
-  const bool is_near = result.residual < 10. * parameters_.residual_tolerance &&
-                       result.distance < 10. * parameters_.position_tolerance;
-  if (!guard_->may_retry() && is_near) {
+bool Unloading::recover_from_stall(double error, UnloadingResult& result) {
+  constexpr double near = 10.; // an unsettled state that is of use
+  if (!guard_->may_retry() && error < near) {
     result.explanation = explain_unsettled(result);
     return false;
   }
-  retreat(format("neither settles nor diverges, residual %.1e, max |x-u-X| %.3f mm",
+  retreat(format("it neither settles nor diverges, residual %.1e, max |x-u-X| %.3f mm",
                  result.residual, result.distance),
           true, result);
   return true;
@@ -64,10 +56,10 @@ void Unloading::retreat(const std::string& trouble, bool is_stalled, UnloadingRe
                           search_load() + ".");
   ++result.n_retries;
   update_mass();
-  log_.line(format("  %s: %s; back to the last good state, lag factor %.1f, time step %.2f ms%s",
-                   name_.c_str(), reason.c_str(), guard_->values().lag_factor,
-                   1e3 * integrator_.time_step(),
-                   changes_damping ? ", damping from the lowest frequency" : ""));
+  log_.line(format(
+      "  %s: %s; back to the last good state, lag factor %.1f, ramp %.1f, time step %.2f ms%s",
+      name_.c_str(), reason.c_str(), guard_->values().lag_factor, guard_->values().gravity_ramp,
+      1e3 * integrator_.time_step(), changes_damping ? ", damping from the lowest frequency" : ""));
 }
 
 std::string Unloading::explain_unsettled(const UnloadingResult& result) const {

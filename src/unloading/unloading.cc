@@ -16,9 +16,6 @@ using mechanics::node_value;
 
 namespace {
 
-// The mass follows the deformation (smaller cells, stiffer tangent) in
-// intervals: its bound costs as much as a few steps.
-constexpr unsigned corrections_per_mass_update = 20;
 constexpr unsigned corrections_per_snapshot = 10;
 // What residual and displacement say about the distance that is left, mm.
 constexpr double largest_rest = 0.04;
@@ -96,12 +93,14 @@ UnloadingResult Unloading::simulate(unsigned max_steps, bool until_settled) {
     const unsigned n = std::min(parameters_.correction_interval, max_steps - result.n_steps);
     const double duration = n * integrator_.time_step();
     state_.time += duration;
-    state_.loading += duration * damping_.time_scale();
+    const double ramp = guard_->values().gravity_ramp;
+    state_.loading += ramp > 0. ? duration * damping_.time_scale() / ramp : 1.;
     update_external_force();
     min_jacobian_ = std::numeric_limits<double>::max();
     for (unsigned i = 0; i < n; ++i) {
-      min_jacobian_ =
-          std::min(min_jacobian_, integrator_.step(external_force_, state_.displacement));
+      const double jacobian = integrator_.step(external_force_, state_.displacement);
+      min_jacobian_ = std::min(min_jacobian_, jacobian);
+      guard_->watch_step(jacobian, internal_force_, state_.displacement);
       if (damping_.watches_every_step() || i + 1 == n)
         damping_.update(integrator_, state_.displacement, external_force_);
     }
@@ -113,6 +112,7 @@ UnloadingResult Unloading::simulate(unsigned max_steps, bool until_settled) {
       retreat(trouble, false, result);
       continue;
     }
+    guard_->forget_steps();
     result.min_jacobian = report.min_jacobian;
     result.residual = report.residual_norm / weight_norm_;
     result.distance = holds_reference_ ? 0. : max_distance();
@@ -125,16 +125,19 @@ UnloadingResult Unloading::simulate(unsigned max_steps, bool until_settled) {
     has_settled_ = has_settled_ || result.converged;
     if ((result.converged && until_settled) || (observer_ && !observer_(result.n_steps)))
       break;
-    if (until_settled && is_stalled(result)) {
-      if (!recover_from_stall(result))
+    const double error = std::max(result.residual / parameters_.residual_tolerance,
+                                  result.distance / parameters_.position_tolerance);
+    if (until_settled && fully_loaded_ &&
+        guard_->is_stalled(error, duration * damping_.time_scale(), result.n_steps)) {
+      if (!recover_from_stall(error, result))
         break;
       continue;
     }
-    if (++n_corrections % corrections_per_snapshot == 0)
-      guard_->keep(save());
+    if (++n_corrections % corrections_per_snapshot == 0 && fully_loaded_ && guard_->is_good(error))
+      guard_->keep(save(), error);
     if (!holds_reference_)
       correct_unloaded_positions();
-    if (n_corrections % corrections_per_mass_update == 0)
+    if (n_corrections % guard_->values().mass_interval == 0)
       update_mass();
   }
   if (until_settled && !result.converged && result.explanation.empty())
@@ -180,8 +183,7 @@ void Unloading::update_mass() {
 }
 
 void Unloading::update_external_force() {
-  const double ramp = guard_->values().gravity_ramp;
-  const double gravity_part = ramp > 0. ? std::min(1., state_.loading / ramp) : 1.;
+  const double gravity_part = std::min(1., state_.loading);
   const double since = state_.time - state_.ramp_start;
   const double increment_part = state_.ramp_time > 0. ? std::min(1., since / state_.ramp_time) : 1.;
   fully_loaded_ = gravity_part == 1. && increment_part == 1.;

@@ -44,7 +44,7 @@ public:
   struct State {
     NodeVector unloaded, displacement, velocity, force, force_increment;
     double time = 0., ramp_start = 0., ramp_time = 0.; ///< s
-    double loading = 0.;                               ///< time since the start in damping times
+    double loading = 0.;                               ///< part of gravity that acts, all from 1 on
   };
 
   /// `gravity_direction` is a direction in LPS of any positive length.
@@ -101,8 +101,7 @@ private:
   void update_external_force();
   double max_distance() const;
   double largest_displacement() const;
-  bool is_stalled(const UnloadingResult& result) const;
-  bool recover_from_stall(UnloadingResult& result);
+  bool recover_from_stall(double error, UnloadingResult& result);
   void retreat(const std::string& trouble, bool is_stalled, UnloadingResult& result);
   std::string explain_unsettled(const UnloadingResult& result) const;
   std::string search_load();
