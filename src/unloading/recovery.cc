@@ -17,13 +17,15 @@ namespace {
 // The search for the part of gravity that can be unloaded: to 1/32 of it.
 constexpr unsigned n_tries = 5, steps_per_try = 4000;
 
+// Error over its tolerance: an unsettled state that is of use.
+constexpr double near = 10.;
+
 } // namespace
 
-/// Returns whether the simulation may go on.
+/// Returns whether the simulation may go on. @throws as run().
 bool Unloading::recover_from_stall(double error, UnloadingResult& result) {
-  constexpr double near = 10.; // an unsettled state that is of use
   if (!guard_->may_retry() && error < near) {
-    result.explanation = explain_unsettled(result);
+    end_unsettled(result);
     return false;
   }
   retreat(format("it neither settles nor diverges, residual %.1e, max |x-u-X| %.3f mm",
@@ -49,11 +51,10 @@ void Unloading::retreat(const std::string& trouble, bool is_stalled, UnloadingRe
   state_.velocity = 0.;
   integrator_.velocity() = 0.;
   if (!may_retry)
-    throw DivergenceError("The unloading of " + name_ + " diverged at step " +
-                          std::to_string(result.n_steps) + " (" + reason + "; " +
-                          guard_->softness() + ") and " + std::to_string(result.n_retries) +
-                          " retries with longer lags, smaller steps and slower ramps did not help" +
-                          search_load() + ".");
+    give_up(
+        format("diverged at step %u (%s; %s) and %u retries with longer lags, smaller steps and "
+               "slower ramps did not help",
+               result.n_steps, reason.c_str(), guard_->softness().c_str(), result.n_retries));
   ++result.n_retries;
   update_mass();
   log_.line(format(
@@ -62,13 +63,25 @@ void Unloading::retreat(const std::string& trouble, bool is_stalled, UnloadingRe
       1e3 * integrator_.time_step(), changes_damping ? ", damping from the lowest frequency" : ""));
 }
 
-std::string Unloading::explain_unsettled(const UnloadingResult& result) const {
-  return format(
-      "%s had not settled after %u steps and %u retries (residual %.1e of the weight, max "
-      "|x-u-X| %.3f mm): %s.",
-      name_.c_str(), result.n_steps, result.n_retries, result.residual, result.distance,
-      fully_loaded_ ? "raise 'Unloading/Maximum steps' or its tolerances"
-                    : "the load was still rising, so shorten its ramp or raise the damping rate");
+/// A state that is near, or of a body that needed no retries, is left to the caller.
+void Unloading::end_unsettled(UnloadingResult& result) {
+  const std::string how = format("did not settle in %u steps with %u retries (residual %.1e of the "
+                                 "weight, max |x-u-X| %.3f mm; %s)",
+                                 result.n_steps, result.n_retries, result.residual, result.distance,
+                                 guard_->softness().c_str());
+  const bool is_near = fully_loaded_ && result.residual < near * parameters_.residual_tolerance &&
+                       result.distance < near * parameters_.position_tolerance;
+  if (result.n_retries > 0 && !is_near)
+    give_up(how);
+  result.explanation =
+      "The unloading of " + name_ + " " + how +
+      (fully_loaded_ ? "; raise 'Unloading/Maximum steps' or its tolerances."
+                     : "; the load was still rising, so raise 'Unloading/Maximum steps' or "
+                       "'Damping rate', or shorten 'Gravity ramp'.");
+}
+
+void Unloading::give_up(const std::string& what) {
+  throw DivergenceError("The unloading of " + name_ + " " + what + search_load() + ".");
 }
 
 /// Says up to which part of gravity the body settles. Whoever has seen it settle

@@ -17,8 +17,6 @@ using mechanics::node_value;
 namespace {
 
 constexpr unsigned corrections_per_snapshot = 10;
-// What residual and displacement say about the distance that is left, mm.
-constexpr double largest_rest = 0.04;
 
 Tensor<1, 3> gravity_vector(const UnloadingParameters& parameters, const Tensor<1, 3>& direction) {
   if (!(direction.norm() > 0.))
@@ -121,7 +119,7 @@ UnloadingResult Unloading::simulate(unsigned max_steps, bool until_settled) {
                          result.min_jacobian));
     result.converged = result.residual < parameters_.residual_tolerance &&
                        result.distance < parameters_.position_tolerance && fully_loaded_ &&
-                       result.residual * largest_displacement() < largest_rest;
+                       result.residual * largest_displacement() < parameters_.position_tolerance;
     has_settled_ = has_settled_ || result.converged;
     if ((result.converged && until_settled) || (observer_ && !observer_(result.n_steps)))
       break;
@@ -141,7 +139,7 @@ UnloadingResult Unloading::simulate(unsigned max_steps, bool until_settled) {
       update_mass();
   }
   if (until_settled && !result.converged && result.explanation.empty())
-    result.explanation = explain_unsettled(result);
+    end_unsettled(result);
   return result;
 }
 

@@ -103,7 +103,8 @@ private:
   double largest_displacement() const;
   bool recover_from_stall(double error, UnloadingResult& result);
   void retreat(const std::string& trouble, bool is_stalled, UnloadingResult& result);
-  std::string explain_unsettled(const UnloadingResult& result) const;
+  void end_unsettled(UnloadingResult& result);
+  [[noreturn]] void give_up(const std::string& what);
   std::string search_load();
   bool settles();
   State state_with_velocity() const;
