@@ -25,10 +25,14 @@ constexpr unsigned corrections_per_mass_update = 20;
 // An error that falls by less than this part in a window of this many lag times and
 // steps does not fall. Slow modes of nearly incompressible tissue need some patience.
 constexpr double least_progress = 0.2;
-constexpr double window_in_lags = 20.;
+constexpr double window_in_lags = 10.;
 constexpr unsigned window_in_steps = 300;
 
 constexpr double ramp_in_lags = 4.;
+
+// A body that needed a retry has soft modes: a small |x - u - X| is then a larger
+// distance of X.
+constexpr double tolerance_after_retreat = 0.25;
 
 std::string describe(const mechanics::InternalForce::WorstCell& worst, double jacobian) {
   return format("cell %u near (%.1f, %.1f, %.1f) mm with J = %.2g", worst.cell, worst.centre[0],
@@ -41,7 +45,7 @@ DivergenceGuard::DivergenceGuard(const UnloadingParameters& parameters, const me
                                  const Tensor<1, 3>& gravity)
     : parameters_(parameters),
       body_(body), values_{parameters.lag_factor, parameters.step_safety, parameters.gravity_ramp,
-                           corrections_per_mass_update},
+                           corrections_per_mass_update, 1.},
       max_retries_(parameters.max_retries) {
   double lower = std::numeric_limits<double>::max(), upper = -lower;
   for (unsigned node = 0; node < body.n_owned_nodes(); ++node) {
@@ -150,6 +154,7 @@ const Unloading::State& DivergenceGuard::retreat(double correction_lag, bool is_
   // A load that rises faster than the unloaded positions follow acts on a body that
   // hangs already.
   values_.gravity_ramp = std::max(2. * values_.gravity_ramp, ramp_in_lags * values_.lag_factor);
+  values_.tolerance = tolerance_after_retreat;
   if (!is_stalled) {
     values_.step_safety *= 0.8;
     values_.mass_interval = std::max(1u, values_.mass_interval / 2);
@@ -164,11 +169,10 @@ const Unloading::State& DivergenceGuard::retreat(double correction_lag, bool is_
 }
 
 void DivergenceGuard::be_careful() {
-  values_.lag_factor = 4. * std::max(1., parameters_.lag_factor);
-  values_.gravity_ramp = std::max(parameters_.gravity_ramp, ramp_in_lags * values_.lag_factor);
-  values_.step_safety = 0.8 * std::min(1., parameters_.step_safety);
-  values_.mass_interval = corrections_per_mass_update / 4;
-  max_retries_ = std::min(3u, parameters_.max_retries);
+  const double lag = 16. * std::max(1., parameters_.lag_factor);
+  values_ = {lag, 0.8 * std::min(1., parameters_.step_safety), 2. * lag,
+             corrections_per_mass_update / 4, 1.};
+  max_retries_ = std::min(1u, parameters_.max_retries);
 }
 
 std::string DivergenceGuard::softness() const {

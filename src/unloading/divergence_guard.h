@@ -20,6 +20,7 @@ public:
   struct Values {
     double lag_factor, step_safety, gravity_ramp; ///< as in the parameters
     unsigned mass_interval;                       ///< corrections between updates of the mass
+    double tolerance;                             ///< factor on the tolerances
   };
   const Values& values() const { return values_; }
 

@@ -87,21 +87,29 @@ void Unloading::give_up(const std::string& what) {
 /// Says up to which part of gravity the body settles. Whoever has seen it settle
 /// tries other things, and only has to know that they fail.
 std::string Unloading::search_load() {
-  if (has_settled_ || part_of_gravity_ < 1. || parameters_.gravity <= 0.)
+  if (has_settled_ || gravity_to_ < 1. || parameters_.gravity <= 0.)
     return "; the body may be too soft for its load, so raise 'Material/Shear modulus' or check "
            "the mask and mesh there";
   log_.line("  " + name_ + ": looking for the part of its weight under which it settles");
-  const State first = guard_->first(), last_good = guard_->last_good();
+  const State last_good = guard_->last_good();
+  State settled_state = guard_->first();
   const Observer observer = std::exchange(observer_, nullptr);
   double settled = 0., failed = 1.;
   for (unsigned i = 0; i < n_tries; ++i) {
-    part_of_gravity_ = 0.5 * (settled + failed);
+    gravity_from_ = settled;
+    gravity_to_ = 0.5 * (settled + failed);
+    restore(settled_state);
+    state_.loading = 0.;
     guard_->be_careful();
-    restore(first);
     update_mass();
-    (settles() ? settled : failed) = part_of_gravity_;
+    if (settles()) {
+      settled = gravity_to_;
+      settled_state = save();
+    } else
+      failed = gravity_to_;
   }
-  part_of_gravity_ = 1.;
+  gravity_from_ = 0.;
+  gravity_to_ = 1.;
   has_settled_ = false;
   observer_ = observer;
   restore(last_good);

@@ -117,14 +117,15 @@ UnloadingResult Unloading::simulate(unsigned max_steps, bool until_settled) {
     log_.progress(format("  %s: step %u, residual %.1e, max |x-u-X| %.3f mm, min J %.2f",
                          name_.c_str(), result.n_steps, result.residual, result.distance,
                          result.min_jacobian));
-    result.converged = result.residual < parameters_.residual_tolerance &&
-                       result.distance < parameters_.position_tolerance && fully_loaded_ &&
-                       result.residual * largest_displacement() < parameters_.position_tolerance;
+    const double error = std::max(result.residual / parameters_.residual_tolerance,
+                                  result.distance / parameters_.position_tolerance);
+    const double tolerance = guard_->values().tolerance;
+    result.converged =
+        error < tolerance && fully_loaded_ &&
+        result.residual * largest_displacement() < tolerance * parameters_.position_tolerance;
     has_settled_ = has_settled_ || result.converged;
     if ((result.converged && until_settled) || (observer_ && !observer_(result.n_steps)))
       break;
-    const double error = std::max(result.residual / parameters_.residual_tolerance,
-                                  result.distance / parameters_.position_tolerance);
     if (until_settled && fully_loaded_ &&
         guard_->is_stalled(error, duration * damping_.time_scale(), result.n_steps)) {
       if (!recover_from_stall(error, result))
@@ -181,17 +182,17 @@ void Unloading::update_mass() {
 }
 
 void Unloading::update_external_force() {
-  const double gravity_part = std::min(1., state_.loading);
+  const double gravity_part =
+      gravity_from_ + (gravity_to_ - gravity_from_) * std::min(1., state_.loading);
   const double since = state_.time - state_.ramp_start;
   const double increment_part = state_.ramp_time > 0. ? std::min(1., since / state_.ramp_time) : 1.;
-  fully_loaded_ = gravity_part == 1. && increment_part == 1.;
+  fully_loaded_ = state_.loading >= 1. && increment_part == 1.;
   for (unsigned node = 0; node < body_.n_owned_nodes(); ++node)
     for (unsigned c = 0; c < 3; ++c) {
       const unsigned i = 3 * node + c;
-      external_force_.local_element(i) = part_of_gravity_ * gravity_part * parameters_.density *
-                                             nodal_volume_[node] * gravity_[c] +
-                                         state_.force.local_element(i) +
-                                         increment_part * state_.force_increment.local_element(i);
+      external_force_.local_element(i) =
+          gravity_part * parameters_.density * nodal_volume_[node] * gravity_[c] +
+          state_.force.local_element(i) + increment_part * state_.force_increment.local_element(i);
     }
 }
 

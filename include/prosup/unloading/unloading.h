@@ -127,7 +127,7 @@ private:
   bool holds_reference_ = false;
   bool fully_loaded_ = false; // all ramps were over in the last steps
   bool has_settled_ = false;
-  double part_of_gravity_ = 1.;
+  double gravity_from_ = 0., gravity_to_ = 1.; // parts of it between which it rises
   double weight_norm_ = 0.;
   double min_jacobian_ = 1.;     // this rank's, since the last report
   double reference_volume_ = 1.; // smallest cell volume, all ranks
