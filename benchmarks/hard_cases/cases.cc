@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "mesh_edits.h"
+#include "prosup/core/error.h"
 #include "prosup/core/log.h"
 
 namespace prosup::benchmarks {
@@ -57,8 +58,11 @@ void add_shapes(std::vector<Case>& cases) {
   cases.back().gravity_direction = supine;
   cases.push_back(named("pendulous", "pendulous breast on a narrow base"));
   cases.back().shape = pendulous_breast();
-  cases.push_back(named("slivers", "30 slivers of aspect 100"));
-  cases.back().edit = [](mesh::TetMesh& mesh) { make_slivers(mesh, 100., 30); };
+  cases.push_back(named("slivers", "slivers of aspect 100 put in, 30 where there is room"));
+  cases.back().edit = [](mesh::TetMesh& mesh) {
+    if (make_slivers(mesh, 100., 30) < 5)
+      throw Error("The mesh of the case 'slivers' has no room for slivers.");
+  };
   cases.push_back(named("few-cells", "some 200 cells"));
   cases.back().small_edge = cases.back().full_edge = 20.;
   cases.push_back(named("many-cells", "some 500,000 cells"));
@@ -75,10 +79,9 @@ void add_loads(std::vector<Case>& cases) {
   cases.push_back(named("3g-soft", "three times the weight on 100 Pa"));
   cases.back().gravity = 3.;
   cases.back().shear_modulus = 100.;
-  cases.back().expected = Outcome::no_unloaded_state;
-  cases.push_back(named("pendulous-soft", "pendulous breast of 40 Pa"));
+  cases.push_back(named("pendulous-soft", "pendulous breast of 20 Pa"));
   cases.back().shape = pendulous_breast();
-  cases.back().shear_modulus = 40.;
+  cases.back().shear_modulus = 20.;
   cases.back().expected = Outcome::no_unloaded_state;
   cases.push_back(named("tilted-gravity", "gravity at an angle to all axes"));
   cases.back().gravity_direction = Tensor<1, 3>({0.6, -0.7, 0.4});
@@ -95,17 +98,24 @@ void add_settings(std::vector<Case>& cases) {
       [](UnloadingParameters& p) { p.damping = "fixed", p.damping_rate = 0.; });
   cases.back().expected_words = "Damping rate";
   add("weak-damping", "fixed damping with r/rho = 1 /s, a thirtieth of what settles best",
-      Outcome::not_settled,
-      [](UnloadingParameters& p) { p.damping = "fixed", p.damping_rate = 1.; });
-  add("absurd-damping", "fixed damping with r/rho = 1e5 /s", Outcome::not_settled,
+      Outcome::settled, [](UnloadingParameters& p) { p.damping = "fixed", p.damping_rate = 1.; });
+  add("hardly-any-damping", "fixed damping with r/rho = 0.01 /s, which makes the ramp 100 s long",
+      Outcome::not_settled, [](UnloadingParameters& p) {
+        p.damping = "fixed", p.damping_rate = 0.01;
+        p.max_steps = 2000;
+      });
+  cases.back().expected_words = "the load was still rising";
+  add("absurd-damping", "fixed damping with r/rho = 1e5 /s", Outcome::settled,
       [](UnloadingParameters& p) { p.damping = "fixed", p.damping_rate = 1e5; });
+  cases.back().expected_retries = 1;
   add("step-0.99", "time step 0.99 of the critical one", Outcome::settled,
       [](UnloadingParameters& p) { p.step_safety = 0.99, p.scaled_fraction = 0.; });
-  add("step-1.2", "time step 1.2 times the critical one", Outcome::recovered,
+  add("step-1.2", "time step 1.2 times the critical one", Outcome::settled,
       [](UnloadingParameters& p) { p.step_safety = 1.2, p.scaled_fraction = 0.; });
+  cases.back().expected_retries = 1;
   add("correct-every-step", "correction in every step", Outcome::settled,
       [](UnloadingParameters& p) { p.correction_interval = 1; });
-  add("full-correction", "full correction in every step, as in the paper", Outcome::recovered,
+  add("full-correction", "full correction in every step, as in the paper", Outcome::settled,
       [](UnloadingParameters& p) { p.correction_interval = 1, p.lag_factor = 0.; });
 }
 
@@ -137,8 +147,7 @@ void add_masks(std::vector<Case>& cases) {
 } // namespace
 
 std::string name_of(Outcome outcome) {
-  static const char* const names[] = {"settled", "settled after going back", "no unloaded state",
-                                      "not settled", "refused"};
+  static const char* const names[] = {"settled", "no unloaded state", "not settled", "refused"};
   return names[static_cast<unsigned>(outcome)];
 }
 

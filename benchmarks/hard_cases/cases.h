@@ -15,7 +15,6 @@ namespace prosup::benchmarks {
 /// What an unloading comes to.
 enum class Outcome {
   settled,           ///< within 0.05 mm of Newton's solution at every node
-  recovered,         ///< the same, after it went back to a good state
   no_unloaded_state, ///< said that there is none, and for which part of the weight there is
   not_settled,       ///< stopped at the largest number of steps, and said why
   refused            ///< stopped before the first step
@@ -40,7 +39,8 @@ struct Case {
   std::function<void(mesh::TetMesh&)> edit{};
   std::function<void(unloading::UnloadingParameters&)> settings{};
   Outcome expected = Outcome::settled;
-  std::string expected_words{}; ///< which the explanation has to hold
+  std::string expected_words{};  ///< which the explanation has to hold
+  unsigned expected_retries = 0; ///< at least
 };
 
 std::vector<Case> hard_cases();

@@ -49,7 +49,8 @@ Shape changed(Shape shape, const std::string& name, unsigned from, unsigned to,
   return shape;
 }
 
-const Point<3> lump_centre(46., -44., 40.);
+const Point<3> lump_centre( // of a voxel too
+    45., -44., 41.);
 constexpr double lump_radius = 11.;
 
 } // namespace

@@ -65,8 +65,8 @@ void UnloadingParameters::declare_parameters(ParameterHandler& prm) {
       Patterns::Double(0., 1.));
   prm.add_parameter(
       "Maximum retries", max_retries,
-      "How often a diverging simulation goes back to its last good state and continues "
-      "with a longer lag and a smaller step. Units: none.",
+      "How often a simulation that diverges, or gets no nearer, goes back to a good state and "
+      "continues with a longer lag, a smaller step and a slower ramp. Units: none.",
       Patterns::Integer(0, 100));
   prm.add_parameter("Fixed boundaries", fixed_boundaries,
                     "Boundary ids whose nodes do not move: 1 chest wall, 2 cut planes, 3 skin. "
