@@ -169,10 +169,10 @@ const Unloading::State& DivergenceGuard::retreat(double correction_lag, bool is_
 }
 
 void DivergenceGuard::be_careful() {
-  const double lag = 16. * std::max(1., parameters_.lag_factor);
+  const double lag = 4. * std::max(1., parameters_.lag_factor);
   values_ = {lag, 0.8 * std::min(1., parameters_.step_safety), 2. * lag,
              corrections_per_mass_update / 4, 1.};
-  max_retries_ = std::min(1u, parameters_.max_retries);
+  max_retries_ = std::min(3u, parameters_.max_retries);
 }
 
 std::string DivergenceGuard::softness() const {

@@ -15,7 +15,7 @@ using namespace dealii;
 namespace {
 
 // The search for the part of gravity that can be unloaded: to 1/32 of it.
-constexpr unsigned n_tries = 5, steps_per_try = 4000;
+constexpr unsigned n_tries = 5, steps_per_try = 6000;
 
 // Error over its tolerance: an unsettled state that is of use.
 constexpr double near = 10.;
