@@ -18,7 +18,6 @@ namespace {
 
 struct Parameters : unloading::UnloadingParameters {
   explicit Parameters(const BoxExperiment& box) {
-    fixed_boundaries = {static_cast<unsigned>(BoundaryPart::cut_plane)};
     gravity = box.gravity;
     residual_tolerance = 1e-5; // errors of the method, not of stopping early
     position_tolerance = 1e-4;
@@ -28,7 +27,8 @@ struct Parameters : unloading::UnloadingParameters {
 /// Positions that the explicit method loads or unloads the body to.
 NodeVector simulate(const BoxExperiment& box, const mechanics::Body& body, Direction direction) {
   const Parameters parameters(box);
-  unloading::Unloading simulation(parameters, body, box.direction, "the box");
+  mechanics::Supports supports(body, {static_cast<types::boundary_id>(BoundaryPart::cut_plane)});
+  unloading::Unloading simulation(parameters, supports, box.direction, "the box");
   if (direction == Direction::load)
     simulation.hold_reference();
   simulation.set_material(box.material());

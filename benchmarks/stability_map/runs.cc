@@ -28,7 +28,6 @@ struct Parameters : unloading::UnloadingParameters {
     max_steps = n_steps;
     residual_tolerance = 1e-4;
     position_tolerance = 0.005;
-    fixed_boundaries = {1};
   }
 };
 
@@ -68,7 +67,8 @@ const char* name_of(Outcome outcome) {
 
 void simulate(const HalfBall& breast, Run& run, unsigned max_steps, bool from_solution) {
   const Parameters parameters(run, max_steps);
-  Unloading simulation(parameters, breast.body, breast.gravity);
+  mechanics::Supports supports(breast.body, {1});
+  Unloading simulation(parameters, supports, breast.gravity);
   simulation.set_observer([&](unsigned n_steps) {
     run.n_steps = n_steps;
     return true;

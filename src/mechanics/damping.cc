@@ -42,6 +42,18 @@ void DampingControl::update(CentralDifferences& integrator, const NodeVector& di
   integrator.set_damping(rate_);
 }
 
+bool DampingControl::mend_fixed_rate(CentralDifferences& integrator, const NodeVector& displacement,
+                                     const NodeVector& external_force) {
+  if (scheme_ != DampingScheme::fixed)
+    return false;
+  const double best = 2. * frequency(integrator, displacement, external_force);
+  if (!(best > 3. * rate_ || best < rate_ / 3.))
+    return false;
+  scheme_ = DampingScheme::lowest_frequency;
+  update(integrator, displacement, external_force);
+  return true;
+}
+
 double DampingControl::frequency(const CentralDifferences& integrator,
                                  const NodeVector& displacement, const NodeVector& external_force) {
   double work = 0., inertia = 0.;

@@ -9,7 +9,6 @@
 #include "element_batches.h"
 #include "element_kernel.h"
 #include "element_stiffness.h"
-#include "prosup/core/log.h"
 
 namespace prosup::mechanics {
 
@@ -184,27 +183,28 @@ std::vector<double> InternalForce::stiffness_bound(const NodeVector& displacemen
                                  displacement, implementation_->material);
 }
 
-std::string InternalForce::describe_worst_cell(const NodeVector& positions,
-                                               const NodeVector& displacement, double bound) const {
+InternalForce::WorstCell InternalForce::worst_cell(const NodeVector& positions,
+                                                   const NodeVector& displacement) const {
   const Body& body = implementation_->body;
   const ElementShape& shape = element_shape(body.element().type);
+  double smallest = std::numeric_limits<double>::max();
+  unsigned worst = 0;
   for (unsigned e = 0; e < body.n_elements(); ++e)
     for (unsigned q = 0; q < shape.n_points; ++q) {
-      const unsigned* nodes = body.element_nodes(e);
-      const double J =
-          point_jacobian(shape, q, nodes, implementation_->reference_positions, displacement);
-      if (J > bound)
-        continue;
-      Tensor<1, 3> centre;
-      for (unsigned a = 0; a < 4; ++a)
-        centre += 0.25 * node_value(positions, nodes[a]);
-      const unsigned cell = body.cell_ids()[e * body.n_cells_per_element()];
-      const std::string place =
-          format("cell %u near (%.1f, %.1f, %.1f) mm", cell / body.n_cells_per_element(), centre[0],
-                 centre[1], centre[2]);
-      return std::abs(J) < 10. ? place + format(" with J = %.3g", J) : place;
+      const double J = point_jacobian(shape, q, body.element_nodes(e),
+                                      implementation_->reference_positions, displacement);
+      if (J < smallest) { // false if not a number
+        smallest = J;
+        worst = e;
+      }
     }
-  return {};
+  WorstCell result{smallest, 0, {}};
+  if (body.n_elements() == 0)
+    return result;
+  for (unsigned a = 0; a < 4; ++a)
+    result.centre += 0.25 * node_value(positions, body.element_nodes(worst)[a]);
+  result.cell = body.cell_ids()[worst * body.n_cells_per_element()] / body.n_cells_per_element();
+  return result;
 }
 
 } // namespace prosup::mechanics

@@ -1,5 +1,7 @@
 #include "prosup/registration/body_pair.h"
 
+#include <deal.II/base/mpi.h>
+
 #include "prosup/core/collective.h"
 
 namespace prosup::registration {
@@ -18,8 +20,8 @@ constexpr std::array<State, 2> both{prone, supine};
 std::array<UnloadingResult, 2> share(std::array<UnloadingResult, 2> results,
                                      const RankSplit& ranks) {
   for (const State state : both)
-    MPI_Bcast(&results[state], sizeof(UnloadingResult), MPI_BYTE, ranks.first_rank(state),
-              ranks.world());
+    results[state] =
+        dealii::Utilities::MPI::broadcast(ranks.world(), results[state], ranks.first_rank(state));
   return results;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "divergence_guard.h"
 #include "prosup/core/error.h"
 
 namespace prosup::unloading {
@@ -15,11 +16,7 @@ using mechanics::node_value;
 
 namespace {
 
-// The mass follows the deformation (smaller cells, stiffer tangent) in
-// intervals: its bound costs as much as a few steps.
-constexpr unsigned corrections_per_mass_update = 20;
 constexpr unsigned corrections_per_snapshot = 10;
-constexpr double smallest_healthy_jacobian = 0.02;
 
 Tensor<1, 3> gravity_vector(const UnloadingParameters& parameters, const Tensor<1, 3>& direction) {
   if (!(direction.norm() > 0.))
@@ -37,7 +34,11 @@ Unloading::Unloading(const UnloadingParameters& parameters, mechanics::Supports&
       internal_force_(body_), highest_frequency_(body_, internal_force_),
       integrator_(supports, internal_force_),
       damping_(parameters.damping_scheme(), parameters.damping_rate, body_),
-      lag_factor_(parameters.lag_factor), safety_(parameters.step_safety) {
+      guard_(std::make_unique<DivergenceGuard>(parameters, body_, gravity_)) {
+  if (!(parameters.damping_rate > 0.))
+    throw Error(format("'Unloading/Damping rate' is %g; it has to be positive, as ramp and lag are "
+                       "measured in it and nothing settles without damping.",
+                       parameters.damping_rate));
   if (!supports.hold_anything())
     throw Error("Nothing holds " + name_ +
                 ": its mesh has neither a chest wall nor cut planes, or both are set free; check "
@@ -51,7 +52,10 @@ Unloading::Unloading(const UnloadingParameters& parameters, mechanics::Supports&
   integrator_.set_damping(parameters.damping_rate);
 }
 
+Unloading::~Unloading() = default;
+
 void Unloading::set_material(const std::vector<mechanics::LameParameters>& parameters) {
+  guard_->set_material(parameters);
   internal_force_.set_material(parameters);
   update_reference();
   update_mass();
@@ -74,19 +78,21 @@ UnloadingResult Unloading::advance(unsigned n_steps) {
 
 UnloadingResult Unloading::simulate(unsigned max_steps, bool until_settled) {
   UnloadingResult result;
-  last_good_ = save();
+  guard_->begin(save());
   unsigned n_corrections = 0;
   while (result.n_steps < max_steps) {
     const unsigned n = std::min(parameters_.correction_interval, max_steps - result.n_steps);
     const double duration = n * integrator_.time_step();
     state_.time += duration;
-    state_.loading += duration * damping_.time_scale();
+    const double ramp = guard_->values().gravity_ramp;
+    state_.loading += ramp > 0. ? duration * damping_.time_scale() / ramp : 1.;
     update_external_force();
     supports_.linearize(state_.unloaded, state_.displacement);
     min_jacobian_ = std::numeric_limits<double>::max();
     for (unsigned i = 0; i < n; ++i) {
-      min_jacobian_ =
-          std::min(min_jacobian_, integrator_.step(external_force_, state_.displacement));
+      const double jacobian = integrator_.step(external_force_, state_.displacement);
+      min_jacobian_ = std::min(min_jacobian_, jacobian);
+      guard_->watch_step(jacobian, internal_force_, state_.displacement);
       if (damping_.watches_every_step() || i + 1 == n)
         damping_.update(integrator_, state_.displacement, external_force_);
     }
@@ -94,32 +100,46 @@ UnloadingResult Unloading::simulate(unsigned max_steps, bool until_settled) {
 
     mechanics::StepReport report = integrator_.report();
     report.min_jacobian = Utilities::MPI::min(min_jacobian_, body_.communicator());
-    if (!is_healthy(report)) {
-      retreat(report, result);
+    if (const std::string trouble = guard_->trouble(report, reference_volume_); !trouble.empty()) {
+      retreat(trouble, false, result);
       continue;
     }
+    guard_->forget_steps();
     result.min_jacobian = report.min_jacobian;
     result.residual = report.residual_norm / weight_norm_;
     result.distance = holds_reference_ ? 0. : max_distance();
     log_.progress(format("  %s: step %u, residual %.1e, max |x-u-X| %.3f mm, min J %.2f",
                          name_.c_str(), result.n_steps, result.residual, result.distance,
                          result.min_jacobian));
-    result.converged = result.residual < parameters_.residual_tolerance &&
-                       result.distance < parameters_.position_tolerance && fully_loaded_;
+    const double error = std::max(result.residual / parameters_.residual_tolerance,
+                                  result.distance / parameters_.position_tolerance);
+    const double tolerance = guard_->values().tolerance;
+    result.converged =
+        error < tolerance && fully_loaded_ &&
+        result.residual * largest_displacement() < tolerance * parameters_.position_tolerance;
+    has_settled_ = has_settled_ || result.converged;
     if ((result.converged && until_settled) || (observer_ && !observer_(result.n_steps)))
       break;
-    if (++n_corrections % corrections_per_snapshot == 0)
-      last_good_ = save();
+    if (until_settled && fully_loaded_ &&
+        guard_->is_stalled(error, duration * damping_.time_scale(), result.n_steps)) {
+      if (!recover_from_stall(error, result))
+        break;
+      continue;
+    }
+    if (++n_corrections % corrections_per_snapshot == 0 && fully_loaded_ && guard_->is_good(error))
+      guard_->keep(save(), error);
     if (!holds_reference_)
       correct_unloaded_positions();
-    if (n_corrections % corrections_per_mass_update == 0)
+    if (n_corrections % guard_->values().mass_interval == 0)
       update_mass();
   }
+  if (until_settled && !result.converged && result.explanation.empty())
+    end_unsettled(result);
   return result;
 }
 
 void Unloading::correct_unloaded_positions() {
-  const double lag = lag_factor_ / damping_.time_scale();
+  const double lag = guard_->values().lag_factor / damping_.time_scale();
   const double beta =
       parameters_.correction_scheme() == CorrectionScheme::full
           ? 1.
@@ -152,28 +172,19 @@ void Unloading::update_mass() {
   integrator_.set_mass(mechanics::stable_mass(supports_, internal_force_, highest_frequency_,
                                               state_.displacement, parameters_.density,
                                               parameters_.scaled_fraction),
-                       safety_);
-  // All of the body faster than it would be after falling freely through its
-  // own size is no settling motion.
-  double lower = std::numeric_limits<double>::max(), upper = -lower, mass = 0.;
-  for (unsigned node = 0; node < body_.n_owned_nodes(); ++node) {
-    const double height = node_value(body_.vertex_positions(), node) * gravity_;
-    lower = std::min(lower, height);
-    upper = std::max(upper, height);
+                       guard_->values().step_safety);
+  double mass = 0.;
+  for (unsigned node = 0; node < body_.n_owned_nodes(); ++node)
     mass += parameters_.density * nodal_volume_[node];
-  }
-  const MPI_Comm communicator = body_.communicator();
-  kinetic_energy_limit_ =
-      Utilities::MPI::sum(mass, communicator) *
-      (Utilities::MPI::max(upper, communicator) - Utilities::MPI::min(lower, communicator));
+  guard_->set_mass(Utilities::MPI::sum(mass, body_.communicator()));
 }
 
 void Unloading::update_external_force() {
   const double gravity_part =
-      parameters_.gravity_ramp > 0. ? std::min(1., state_.loading / parameters_.gravity_ramp) : 1.;
+      gravity_from_ + (gravity_to_ - gravity_from_) * std::min(1., state_.loading);
   const double since = state_.time - state_.ramp_start;
   const double increment_part = state_.ramp_time > 0. ? std::min(1., since / state_.ramp_time) : 1.;
-  fully_loaded_ = gravity_part == 1. && increment_part == 1.;
+  fully_loaded_ = state_.loading >= 1. && increment_part == 1.;
   for (unsigned node = 0; node < body_.n_owned_nodes(); ++node)
     for (unsigned c = 0; c < 3; ++c) {
       const unsigned i = 3 * node + c;
@@ -193,55 +204,11 @@ double Unloading::max_distance() const {
   return std::sqrt(Utilities::MPI::max(largest, body_.communicator()));
 }
 
-bool Unloading::is_healthy(const mechanics::StepReport& report) const {
-  return report.min_jacobian > smallest_healthy_jacobian && reference_volume_ > 0. &&
-         std::isfinite(report.residual_norm) && std::isfinite(report.kinetic_energy) &&
-         (parameters_.gravity <= 0. || report.kinetic_energy <= kinetic_energy_limit_);
-}
-
-void Unloading::retreat(const mechanics::StepReport& report, UnloadingResult& result) {
-  const std::string reason = diagnosis(report);
-  const bool is_full =
-      !holds_reference_ && parameters_.correction_scheme() == CorrectionScheme::full;
-  restore(last_good_);
-  state_.velocity = 0.;
-  integrator_.velocity() = 0.;
-  if (result.n_retries >= parameters_.max_retries)
-    throw DivergenceError(
-        "The unloading of " + name_ + " diverged at step " + std::to_string(result.n_steps) + " (" +
-        reason + ") and " + std::to_string(result.n_retries) + " retries with " +
-        (is_full
-             ? "smaller steps did not help; the full correction flutters on soft bodies, so "
-               "choose 'Unloading/Correction' = relaxed, or raise 'Unloading/Damping rate' with "
-               "'Unloading/Damping' = fixed."
-             : "longer lags and smaller steps did not help; the body may be too soft for "
-               "its weight, so raise 'Material/Shear modulus' or check the mask and mesh "
-               "there."));
-  ++result.n_retries;
-  if (!is_full) // who asks for the paper's scheme gets it to the end
-    lag_factor_ = 2. * std::max(lag_factor_, parameters_.correction_interval *
-                                                 integrator_.time_step() * damping_.time_scale());
-  safety_ *= 0.8;
-  update_mass();
-  log_.line(format("  %s: %s; back to the last good state, %s, time step %.2f ms", name_.c_str(),
-                   reason.c_str(),
-                   is_full ? "full correction" : format("lag factor %.1f", lag_factor_).c_str(),
-                   1e3 * integrator_.time_step()));
-}
-
-std::string Unloading::diagnosis(const mechanics::StepReport& report) const {
-  if (!std::isfinite(report.residual_norm) || !std::isfinite(report.kinetic_energy))
-    return "forces are not finite";
-  if (!(reference_volume_ > 0.))
-    return "an element of the unloaded configuration is inverted";
-  if (report.min_jacobian > smallest_healthy_jacobian)
-    return format("the kinetic energy grew to %.2g g mm^2/s^2", report.kinetic_energy);
-  const std::string mine = internal_force_.describe_worst_cell(state_.unloaded, state_.displacement,
-                                                               smallest_healthy_jacobian);
-  for (const std::string& cell : Utilities::MPI::all_gather(body_.communicator(), mine))
-    if (!cell.empty())
-      return cell + " collapsed";
-  return format("an element collapsed to J = %.2g", report.min_jacobian);
+double Unloading::largest_displacement() const {
+  double largest = 0.;
+  for (unsigned node = 0; node < body_.n_owned_nodes(); ++node)
+    largest = std::max(largest, node_value(state_.displacement, node).norm_square());
+  return std::sqrt(Utilities::MPI::max(largest, body_.communicator()));
 }
 
 Unloading::State Unloading::state_with_velocity() const {

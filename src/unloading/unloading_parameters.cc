@@ -81,8 +81,9 @@ void UnloadingParameters::declare_parameters(ParameterHandler& prm) {
       Patterns::Double(0., 1.));
   prm.add_parameter(
       "Maximum retries", max_retries,
-      "How often a diverging simulation goes back to its last good state and continues "
-      "with a smaller step and, if the correction is relaxed, a longer lag. Units: none.",
+      "How often a simulation that diverges, or gets no nearer, goes back to a good state and "
+      "continues with a smaller step, a slower ramp and, if the correction is relaxed, a longer "
+      "lag. Units: none.",
       Patterns::Integer(0, 100));
 }
 

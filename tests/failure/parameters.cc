@@ -57,6 +57,8 @@ TEST_F(Parameters, GravityWithoutDirection) {
 }
 
 TEST_F(Parameters, NothingIsHeld) {
-  expect_refused(registering({"--set", "Unloading/Fixed boundaries="}),
-                 {"held", "Unloading/Fixed boundaries"}, 2);
+  // The sample has no chest of this label, and its cut planes are let go.
+  expect_refused(registering({"--chest", "fixed", "--set", "Supports/Cut planes=free", "--set",
+                              "Meshing/Chest label=3", "--set", "Meshing/Tissue labels=2"}),
+                 {"holds", "Supports/Cut planes"}, 2);
 }

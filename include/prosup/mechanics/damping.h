@@ -43,11 +43,16 @@ public:
   void update(CentralDifferences& integrator, const NodeVector& displacement,
               const NodeVector& external_force);
 
+  /// A fixed rate that is more than three times too high or too low for the body to
+  /// settle follows the lowest frequency from now on. @returns whether it does.
+  bool mend_fixed_rate(CentralDifferences& integrator, const NodeVector& displacement,
+                       const NodeVector& external_force);
+
 private:
   double frequency(const CentralDifferences& integrator, const NodeVector& displacement,
                    const NodeVector& external_force);
 
-  const DampingScheme scheme_;
+  DampingScheme scheme_;
   const Body& body_;
   const double first_rate_;
   double rate_;

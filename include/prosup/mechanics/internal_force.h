@@ -59,10 +59,13 @@ public:
   /// Collective.
   std::vector<double> stiffness_bound(const NodeVector& displacement) const;
 
-  /// Names the first element with J <= bound on this rank: its mesh cell, J and
-  /// centre in the configuration `positions`; empty if there is none.
-  std::string describe_worst_cell(const NodeVector& positions, const NodeVector& displacement,
-                                  double bound) const;
+  /// The element of this rank with the smallest J at a quadrature point.
+  struct WorstCell {
+    double jacobian;             ///< J; the largest number there is if none of the rank's is finite
+    unsigned cell;               ///< its index in the mesh
+    dealii::Tensor<1, 3> centre; ///< in the configuration `positions`, mm
+  };
+  WorstCell worst_cell(const NodeVector& positions, const NodeVector& displacement) const;
 
 private:
   struct Implementation;

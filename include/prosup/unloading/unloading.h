@@ -2,6 +2,7 @@
 #define PROSUP_UNLOADING_UNLOADING_H
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,7 +27,15 @@ struct UnloadingResult {
   double residual = 0.;     ///< out-of-balance force over weight
   double distance = 0.;     ///< max |x - u - X|, mm
   double min_jacobian = 0.; ///< smallest J = det dx/dX
+  std::string explanation;  ///< why run() stopped without having settled; else empty
+
+  template <typename Archive>
+  void serialize(Archive& archive, unsigned) {
+    archive& converged& n_steps& n_retries& residual& distance& min_jacobian& explanation;
+  }
 };
+
+class DivergenceGuard;
 
 /// Finds the unloaded configuration X of a body imaged under gravity by the
 /// prediction-correction of the paper (its Fig. 3) in Lagrangian form. The
@@ -44,7 +53,7 @@ public:
   struct State {
     NodeVector unloaded, displacement, velocity, force, force_increment;
     double time = 0., ramp_start = 0., ramp_time = 0.; ///< s
-    double loading = 0.;                               ///< time since the start in damping times
+    double loading = 0.;                               ///< part of gravity that acts, all from 1 on
   };
 
   /// `gravity_direction` is a direction in LPS of any positive length.
@@ -53,6 +62,7 @@ public:
   Unloading(const UnloadingParameters& parameters, mechanics::Supports& supports,
             const dealii::Tensor<1, 3>& gravity_direction, std::string name = "body",
             const Log& log = Log());
+  ~Unloading();
 
   /// As InternalForce::set_material. Keeps the state: a changed material
   /// continues from the present configuration.
@@ -72,9 +82,12 @@ public:
   using Observer = std::function<bool(unsigned n_steps)>;
   void set_observer(Observer observer) { observer_ = std::move(observer); }
 
-  /// Simulates until settled to the tolerances.
-  /// @throws DivergenceError with a diagnosis when all retries are used up;
-  /// the last good state is restored first.
+  /// Simulates until settled to the tolerances. Where it diverges or gets no
+  /// nearer it goes back to a good state and continues with a longer lag, a smaller
+  /// step and a slower ramp.
+  /// @throws DivergenceError with a diagnosis when all retries are used up; the
+  /// last good state is restored first. A body that has never settled is then
+  /// searched for the part of gravity under which it does, in a few short runs.
   UnloadingResult run();
 
   /// Simulates `n_steps` steps. @throws as run().
@@ -100,9 +113,13 @@ private:
   void update_mass();
   void update_external_force();
   double max_distance() const;
-  bool is_healthy(const mechanics::StepReport& report) const;
-  void retreat(const mechanics::StepReport& report, UnloadingResult& result);
-  std::string diagnosis(const mechanics::StepReport& report) const;
+  double largest_displacement() const;
+  bool recover_from_stall(double error, UnloadingResult& result);
+  void retreat(const std::string& trouble, bool is_stalled, UnloadingResult& result);
+  void end_unsettled(UnloadingResult& result);
+  [[noreturn]] void give_up(const std::string& what);
+  std::string search_load();
+  bool settles();
   State state_with_velocity() const;
 
   const UnloadingParameters& parameters_;
@@ -117,17 +134,16 @@ private:
   mechanics::DampingControl damping_;
   Observer observer_;
   State state_;
-  State last_good_;
+  std::unique_ptr<DivergenceGuard> guard_;
   NodeVector external_force_;
   std::vector<double> nodal_volume_;
   bool holds_reference_ = false;
   bool fully_loaded_ = false; // all ramps were over in the last steps
+  bool has_settled_ = false;
+  double gravity_from_ = 0., gravity_to_ = 1.; // parts of it between which it rises
   double weight_norm_ = 0.;
-  double lag_factor_;
-  double safety_;
   double min_jacobian_ = 1.;     // this rank's, since the last report
   double reference_volume_ = 1.; // smallest cell volume, all ranks
-  double kinetic_energy_limit_ = 0.;
 };
 
 } // namespace prosup::unloading

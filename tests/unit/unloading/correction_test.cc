@@ -19,13 +19,14 @@ constexpr double edge = 60.; // mm: rho g edge = 589 Pa
 struct HangingCube {
   explicit HangingCube(const HangingBoxParameters& parameters, double shear_modulus)
       : mesh(tests::make_box(MPI_COMM_WORLD, {4, 4, 4}, {edge, edge, edge})), body(*mesh),
-        unloading(parameters, body, down, "the cube") {
+        supports(body, {3}), unloading(parameters, supports, down, "the cube") {
     unloading.set_material({mechanics::lame_parameters(shear_modulus, 0.45)});
     result = unloading.run();
   }
 
   std::unique_ptr<tests::Distributed> mesh;
   mechanics::Body body;
+  mechanics::Supports supports;
   unloading::Unloading unloading;
   unloading::UnloadingResult result;
 };

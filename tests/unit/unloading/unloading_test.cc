@@ -146,9 +146,65 @@ TEST(Unloading, GoesBackAndGivesUpWithADiagnosis) {
     EXPECT_NE(message.find("the test body diverged at step"), std::string::npos) << message;
     EXPECT_NE(message.find("2 retries"), std::string::npos) << message;
     EXPECT_EQ(message.find("nan"), std::string::npos) << message;
+    for (const char* words : {"cell ", " mm with J = ", "rho g L/mu = 1.5e+02", "of the weight"})
+      EXPECT_NE(message.find(words), std::string::npos) << message;
   }
   for (unsigned i = 0; i < 3 * body.n_owned_nodes(); ++i)
     EXPECT_TRUE(std::isfinite(unloading.unloaded().local_element(i)));
+}
+
+// A body under twice the weight that it can be unloaded from, which is known: under that of
+// which it was made by loading there is a state.
+TEST(Unloading, SaysForWhichPartOfTheWeightThereIsAState) {
+  const std::vector<mechanics::LameParameters> material{mechanics::lame_parameters(8., 0.3)};
+  HangingBoxParameters parameters;
+  const auto mesh = tests::make_box(MPI_COMM_WORLD, {4, 4, 4}, {60., 60., 60.});
+  const mechanics::Body body(*mesh);
+  parameters.residual_tolerance = 2e-3;
+  parameters.position_tolerance = 0.02;
+  parameters.max_retries = 2;
+  mechanics::Supports supports(body, {3});
+  Unloading unloading(parameters, supports, -down);
+  unloading.set_material(material);
+  try {
+    unloading.run();
+    FAIL() << "a body this soft has no unloaded state";
+  } catch (const DivergenceError& error) {
+    const std::string message = error.what(), words = "exists up to ";
+    ASSERT_NE(message.find(words), std::string::npos) << message;
+    const double part = std::stod(message.substr(message.find(words) + words.size()));
+    // The same body under that part of the weight settles.
+    parameters.gravity *= part;
+    parameters.lag_factor = 40.;
+    parameters.gravity_ramp = 160.;
+    Unloading lighter(parameters, supports, -down);
+    lighter.set_material(material);
+    EXPECT_TRUE(lighter.run().converged) << message;
+  }
+}
+
+TEST(Unloading, AbsurdDampingIsMended) {
+  const std::vector<mechanics::LameParameters> material{mechanics::lame_parameters(300., 0.45)};
+  HangingBoxParameters parameters;
+  const LoadedBox box = load_box(material, parameters);
+  parameters.damping = "fixed";
+  parameters.damping_rate = 1e5;
+  const UnloadedBox unloaded = unload_box(parameters, box, material);
+  EXPECT_GT(unloaded.result.n_retries, 0u);
+  EXPECT_TRUE(unloaded.result.converged);
+  EXPECT_LT(unloaded.error, 0.005);
+}
+
+TEST(Unloading, SaysWhyItHasNotSettled) {
+  const std::vector<mechanics::LameParameters> material{mechanics::lame_parameters(300., 0.45)};
+  HangingBoxParameters parameters;
+  const LoadedBox box = load_box(material, parameters);
+  EXPECT_EQ(unload_box(parameters, box, material).result.explanation, "");
+  parameters.max_steps = 50;
+  const UnloadingResult result = unload_box(parameters, box, material).result;
+  EXPECT_FALSE(result.converged);
+  EXPECT_NE(result.explanation.find("did not settle in 50 steps"), std::string::npos)
+      << result.explanation;
 }
 
 TEST(Unloading, StepThatIsTooLargeIsAnsweredBySmallerOnes) {
@@ -170,4 +226,6 @@ TEST(Unloading, RejectsWhatCannotBeSimulated) {
   mechanics::Supports held(body, {3}), loose(body, {77});
   EXPECT_THROW(Unloading(parameters, held, Tensor<1, 3>()), Error);
   EXPECT_THROW(Unloading(parameters, loose, down), Error);
+  parameters.damping_rate = 0.;
+  EXPECT_THROW(Unloading(parameters, held, down), Error);
 }

@@ -1,0 +1,92 @@
+#include "table.h"
+
+#include "prosup/core/log.h"
+
+namespace prosup::benchmarks {
+
+namespace {
+
+const char* const about = R"(# Stability
+
+What the unloading does so that it neither surprises nor hangs, and the cases that
+it is tried on. The whole page is written by
+
+    build/release/benchmarks/benchmark_hard_cases --write docs/stability.md
+
+and the tests run the same cases on small meshes (`--small`); `--case NAME` runs one.
+
+## What is chosen from the scene
+
+- The **damping** follows the lowest frequency of the body, r/rho = 2 omega,
+  measured from its motion.
+- **Lag** of the unloaded positions and **ramp** of gravity are multiples of the
+  damping time 1/(r/rho).
+- The **time step** is 0.9 of the critical one, measured by Lanczos' method on the
+  deformed body every 20 corrections.
+- It has **settled** when the residual is below its part of the weight, max |x - u - X|
+  below its tolerance, and also the residual times the largest displacement: what
+  the forces that are left may still move.
+
+## When it goes wrong
+
+Every correction is watched for an element that collapses (J < 0.02) or is
+inverted in the unloaded configuration, for forces that are no numbers, for a body
+faster than in a free fall, and for an error that in 10 lag times falls by less
+than a fifth (soft bodies swing around the unloaded state without end if the lag
+is short). Then the simulation
+
+1. goes back to the last good state, one under the whole load that was nearer to
+   settled than any before, or to its start where there is none;
+2. goes on with twice the lag and, where it diverged, 0.8 of the time step,
+   masses that are brought up to date twice as often, and a ramp four times as
+   long as the lag: a load that rises faster than the unloaded positions follow acts
+   on a body that hangs already, which is what collapses soft ones;
+3. asks for a quarter of the tolerances from then on, since a body that needed a
+   return has soft modes in which a small |x - u - X| is a larger distance of X;
+4. takes the damping from the lowest frequency if it was fixed and more than three
+   times too high or too low.
+
+It says so in the log. After `Unloading/Maximum retries` returns it gives up with
+the cell that collapsed first, its place in the loaded mesh and its J, the
+softness rho g L/mu, and the part of the weight for which it does find an unloaded
+state, searched for in five short runs, each from the last one that settled. That
+part is from below: Newton's method, where it is compared in the table, gets a
+little further. What neither settles nor diverges stops at `Maximum steps`,
+is marked as not converged, and says why.
+
+## Hard cases
+
+Bodies are label images of a breast on a cylindrical chest, meshed by the program, with
+averaged nodal pressure, fat of 357 Pa and nu = 0.45, prone, chest and cut planes
+held, and the default parameters, unless the case says otherwise. *Distance* is the
+largest over all nodes between the unloaded positions found and those of Newton's
+method on the same mesh (for two components, on the mesh of the larger); it has to
+be below 0.05 mm. Where there is no unloaded state, the parts of the weight found by
+both have to agree to 0.1.
+)";
+
+} // namespace
+
+std::string page_head(Size size) {
+  return std::string(about) + (size == Size::small ? "\nOn the small meshes of the tests:\n" : "") +
+         "\n| case | what is hard | cells | steps | retries | distance, mm | outcome | expected | "
+         "ok "
+         "|\n|---|---|---|---|---|---|---|---|---|\n";
+}
+
+std::string row(const Case& hard_case, const Result& result) {
+  std::string compared = result.is_compared ? format("%.3f", result.distance) : "";
+  if (result.newton_fraction < 1.)
+    compared = format("Newton: up to %.2f of the weight", result.newton_fraction);
+  std::string outcome = name_of(result.outcome);
+  if (!result.explanation.empty())
+    outcome += ": " + result.explanation;
+  for (std::size_t bar; (bar = outcome.find("max |x-u-X|")) != std::string::npos;)
+    outcome.replace(bar, 11, "max \\|x-u-X\\|"); // bars end the cells of a table
+  return "| " + hard_case.name + " | " + hard_case.hardness +
+         format(" | %u | %u | %u | ", result.n_cells, result.n_steps, result.n_retries) + compared +
+         " | " + outcome + " | " + name_of(hard_case.expected) + " | " +
+         (result.as_expected ? "yes" : "**no**") + " |\n";
+}
+
+} // namespace prosup::benchmarks
