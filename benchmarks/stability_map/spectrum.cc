@@ -111,8 +111,9 @@ Spectrum measure_spectrum(const HalfBall& breast) {
   u -= X;
   residual.force().set_reference(X);
   mechanics::HighestFrequency highest(breast.body, residual.force());
-  const mechanics::StableMass mass = mechanics::stable_mass(breast.body, residual.force(), highest,
-                                                            u, breast.fixed, tissue_density, 0.);
+  const mechanics::Supports supports(breast.body, {1});
+  const mechanics::StableMass mass =
+      mechanics::stable_mass(supports, residual.force(), highest, u, tissue_density, 0.);
   const Matrix k = derivative(residual, x, X, x, mass.mass, 1.);
   const Matrix a = derivative(residual, X, X, x, mass.mass, -1.);
 

@@ -26,9 +26,9 @@ using unloading::UnloadingParameters;
 
 namespace {
 
-constexpr double force_weight = 60.; // kappa, Pa: a part of the shear modulus
+constexpr double force_weight = 60.;        // kappa, Pa: a part of the shear modulus
 const std::set<types::boundary_id> held{1}; // the back of a block
-constexpr double voxel_edge = 3.;    // of the common unloaded grid, mm
+constexpr double voxel_edge = 3.;           // of the common unloaded grid, mm
 constexpr unsigned n_updates = 8;
 constexpr unsigned steps_per_update = 60;
 

@@ -83,8 +83,12 @@ void Supports::set_contact_method(ContactMethod method, const GradualCorrection&
 }
 
 bool Supports::hold_anything() const {
-  const bool here = !springs_.empty() || !contact_nodes_.empty() ||
-                    std::count(fixed_.begin(), fixed_.end(), true) > 0;
+  const auto any = [](const std::vector<bool>& nodes) {
+    return std::find(nodes.begin(), nodes.end(), true) != nodes.end();
+  };
+  bool here = !contact_nodes_.empty() || any(fixed_);
+  for (const Springs& springs : springs_)
+    here = any(body_.nodes_on_boundary(springs.ids)) || here;
   return Utilities::MPI::max(static_cast<int>(here), body_.communicator()) > 0;
 }
 

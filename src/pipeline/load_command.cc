@@ -24,6 +24,8 @@ private:
 
   /// A mesh makes the labels needless, unless there is an image or tissue slides.
   void read() override {
+    if (has_mesh())
+      file_mesh_ = output::read_mesh(stages_.single_state.mesh);
     if (!has_mesh() || !stages_.scene.images[state_].empty() ||
         stages_.supports.need_labels(stages_.scene.chest()))
       SingleStateJob::read();
@@ -32,7 +34,7 @@ private:
   mesh::TetMesh make_mesh() override {
     if (!has_mesh())
       return SingleStateJob::make_mesh();
-    return exchanged(output::read_mesh(stages_.single_state.mesh)).mesh;
+    return exchanged(std::move(file_mesh_)).mesh;
   }
 
   mesh::UnloadedMesh simulate(mesh::TetMesh mesh) override {
@@ -51,6 +53,8 @@ private:
     if (loaded && stages_.results.pictures)
       output::write_loading_slices(original_->image, original_->breast, *loaded, folder);
   }
+
+  mesh::UnloadedMesh file_mesh_;
 };
 
 } // namespace

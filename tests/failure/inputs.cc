@@ -113,3 +113,22 @@ TEST_F(Input, LandmarksWithoutAColumn) {
   const std::string file = write("landmarks.csv", "id,prone_x,prone_y,prone_z\na,1,2,3\n");
   expect_refused(registering({"--landmarks", file}), {file, "column 'supine_x'"});
 }
+
+// Tissue that floats in the air, away from the chest and the border of the image.
+TEST_F(Input, BreastThatNothingHolds) {
+  const auto file = changed_labels([](image::LabelImage& labels) {
+    const auto& size = labels.grid.size;
+    for (std::size_t k = 0; k < size[2]; ++k)
+      for (std::size_t j = 0; j < size[1]; ++j)
+        for (std::size_t i = 0; i < size[0]; ++i) {
+          const bool is_inside =
+              i > 2 && j > 2 && k > 2 && i + 3 < size[0] && j + 3 < size[1] && k + 3 < size[2];
+          auto& label = labels(i, j, k);
+          label = label == 1 || !is_inside ? 0 : label;
+        }
+    labels(0, 0, 0) = 1;
+  });
+  for (const char* chest : {"fixed", "sliding"})
+    expect_refused(registering({"--prone-labels", file, "--chest", chest}),
+                   {"holds", "Supports/Cut planes"});
+}

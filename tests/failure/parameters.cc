@@ -55,10 +55,3 @@ TEST_F(Parameters, GravityWithoutDirection) {
   expect_refused(registering({"--supine-gravity", "0,1"}), {"Supine gravity=0,1"});
   expect_refused(registering({"--supine-gravity", "down"}), {"Supine gravity=down"});
 }
-
-TEST_F(Parameters, NothingIsHeld) {
-  // The sample has no chest of this label, and its cut planes are let go.
-  expect_refused(registering({"--chest", "fixed", "--set", "Supports/Cut planes=free", "--set",
-                              "Meshing/Chest label=3", "--set", "Meshing/Tissue labels=2"}),
-                 {"holds", "Supports/Cut planes"}, 2);
-}

@@ -50,7 +50,7 @@ private:
   void add_cut_planes(const image::VoxelGrid& grid, const image::LabelImage& other,
                       mechanics::Supports& supports) const;
 
-  double chest_stiffness_ = 4.;
+  double chest_stiffness_ = 8.;
   double chest_smoothing_ = 1.5;
   std::string contact_method_ = "projection";
   mechanics::GradualCorrection gradual_;

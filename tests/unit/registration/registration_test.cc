@@ -51,7 +51,10 @@ struct Scene {
     pair.for_each([&](State s, BodyState& state) {
       const auto mesh = tests::make_box(ranks.group(), n_cells, size, loaded[s]);
       state.body = std::make_unique<mechanics::Body>(*mesh);
-      state.unloading = std::make_unique<unloading::Unloading>(parameters, *state.body, gravity[s]);
+      state.supports =
+          std::make_unique<mechanics::Supports>(*state.body, mechanics::Supports::BoundaryIds{3});
+      state.unloading =
+          std::make_unique<unloading::Unloading>(parameters, *state.supports, gravity[s]);
       state.image = image_of(loaded[s]);
     });
     for (image::LabelImage& labels : surroundings.labels)
