@@ -49,6 +49,10 @@ StableMass stable_mass(const Supports& supports, const InternalForce& internal_f
   std::vector<double> critical(body.n_owned_nodes());
   for (unsigned node = 0; node < critical.size(); ++node)
     critical[node] = 2. * std::sqrt(result.mass[node] / stiffness[node]);
+  const bool is_finite = std::all_of(critical.begin(), critical.end(),
+                                     [](double step) { return std::isfinite(step); });
+  if (Utilities::MPI::min(static_cast<int>(is_finite), body.communicator()) == 0)
+    return result;
   const double wanted = global_quantile(critical, scaled_fraction, body.communicator());
 
   unsigned n_scaled = 0;

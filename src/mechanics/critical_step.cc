@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace prosup::mechanics {
 
@@ -126,6 +127,11 @@ HighestFrequency::Estimate HighestFrequency::estimate(const NodeVector& displace
     if (basis.size() > 1)
       next.add(-off_diagonal.back(), basis[basis.size() - 2]);
     length = next.l2_norm();
+    if (!std::isfinite(length) || !std::isfinite(diagonal.back())) {
+      estimate.upper_bound = std::numeric_limits<double>::infinity();
+      start_ = rough_;
+      return estimate;
+    }
 
     const RitzPair top(diagonal, off_diagonal);
     ++estimate.n_products;

@@ -169,10 +169,16 @@ void Unloading::update_reference() {
 }
 
 void Unloading::update_mass() {
-  integrator_.set_mass(mechanics::stable_mass(supports_, internal_force_, highest_frequency_,
-                                              state_.displacement, parameters_.density,
-                                              parameters_.scaled_fraction),
-                       guard_->values().step_safety);
+  const mechanics::StableMass stable =
+      mechanics::stable_mass(supports_, internal_force_, highest_frequency_, state_.displacement,
+                             parameters_.density, parameters_.scaled_fraction);
+  if (!(stable.critical_step > 0.)) { // an element is inverted: the next steps will tell
+    if (integrator_.time_step() > 0.)
+      return;
+    throw DivergenceError("The unloading of " + name_ +
+                          " cannot start: an element of its mesh is inverted; check the mesh.");
+  }
+  integrator_.set_mass(stable, guard_->values().step_safety);
   double mass = 0.;
   for (unsigned node = 0; node < body_.n_owned_nodes(); ++node)
     mass += parameters_.density * nodal_volume_[node];
