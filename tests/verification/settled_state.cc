@@ -192,9 +192,10 @@ INSTANTIATE_TEST_SUITE_P(Breasts, SettledState,
                                            Case{ElementType::quadratic, ChestCondition::fixed},
                                            Case{ElementType::linear, ChestCondition::sliding},
                                            Case{ElementType::nodal_pressure,
-                                                ChestCondition::sliding},
+                                                ChestCondition::sliding}),
                          [](const auto& info) {
-  std::string name = tests::name_of(info.param.element);
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name + (info.param.chest == ChestCondition::fixed ? "_fixed" : "_sliding");
+                           std::string name = tests::name_of(info.param.element);
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name + (info.param.chest == ChestCondition::fixed ? "_fixed"
+                                                                                    : "_sliding");
                          });
