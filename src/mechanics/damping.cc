@@ -29,7 +29,7 @@ void DampingControl::update(CentralDifferences& integrator, const NodeVector& di
   case DampingScheme::lowest_frequency:
   case DampingScheme::adaptive:
     if (const double omega = frequency(integrator, displacement, external_force); omega > 0.)
-      rate_ = 2. * omega;
+      rate_ = frequency_factor_ * omega;
     break;
   case DampingScheme::kinetic:
     const double energy = integrator.report().kinetic_energy;

@@ -46,10 +46,12 @@ void Unloading::retreat(const std::string& trouble, bool is_stalled, UnloadingRe
   const bool is_full =
       !holds_reference_ && parameters_.correction_scheme() == CorrectionScheme::full;
   const bool may_retry = guard_->may_retry();
-  if (may_retry)
+  if (may_retry) {
+    damping_.strengthen();
     guard_->retreat(parameters_.correction_interval * integrator_.time_step() *
                         damping_.time_scale(),
                     is_stalled);
+  }
   restore(guard_->last_good());
   state_.velocity = 0.;
   integrator_.velocity() = 0.;
