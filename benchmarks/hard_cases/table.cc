@@ -37,9 +37,9 @@ is short). Then the simulation
 
 1. goes back to the last good state, one under the whole load that was nearer to
    settled than any before, or to its start where there is none;
-2. goes on with twice the lag and, where it diverged, 0.8 of the time step,
-   masses that are brought up to date twice as often, and a ramp four times as
-   long as the lag: a load that rises faster than the unloaded positions follow acts
+2. goes on with twice the lag, r/rho = 4 omega and, where it diverged, 0.8 of the
+   time step, masses that are brought up to date twice as often, and a ramp four
+   times as long as the lag: a load that rises faster than the unloaded positions follow acts
    on a body that hangs already, which is what collapses soft ones;
 3. asks for a quarter of the tolerances from then on, since a body that needed a
    return has soft modes in which a small |x - u - X| is a larger distance of X;
@@ -50,8 +50,8 @@ It says so in the log. After `Unloading/Maximum retries` returns it gives up wit
 the cell that collapsed first, its place in the loaded mesh and its J, the
 softness rho g L/mu, and the part of the weight for which it does find an unloaded
 state, searched for in five short runs, each from the last one that settled. That
-part is from below: Newton's method, where it is compared in the table, gets a
-little further. What neither settles nor diverges stops at `Maximum steps`,
+part is from below: Newton's method, where it is compared in the table, gets
+further. What neither settles nor diverges stops at `Maximum steps`,
 is marked as not converged, and says why.
 
 ## Hard cases

@@ -2,6 +2,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <string>
 
 #include "prosup/core/collective.h"
@@ -35,12 +36,18 @@ ScalarImage write_state(State state, const std::array<mesh::UnloadedMesh, 2>& un
   image::write_displacement(
       output::loaded_to_loaded(loaded.grid, unloaded[state], mapper, other_mapper),
       folder / (name + "_to_" + similarity::state_names[other] + ".nrrd"));
-  ScalarImage warped = image::warp(loaded, from_unloaded);
-  image::write_image(warped, folder / (name + "_unloaded.nii.gz"));
-  return warped;
+  return write_warped(loaded, from_unloaded, folder / (name + "_unloaded.nii.gz"));
 }
 
 } // namespace
+
+ScalarImage write_warped(const ScalarImage& original, const image::VectorImage& field,
+                         const std::filesystem::path& file) {
+  const float darkest = *std::min_element(original.values.begin(), original.values.end());
+  ScalarImage warped = image::warp(original, field, darkest);
+  image::write_image(warped, file);
+  return warped;
+}
 
 std::array<ScalarImage, 2> write_images(std::array<mesh::UnloadedMesh, 2>& unloaded,
                                         const std::array<OriginalImage, 2>& originals,

@@ -16,6 +16,7 @@
 #include "prosup/mesh/quality.h"
 #include "prosup/output/displacement_fields.h"
 #include "prosup/output/vtu.h"
+#include "prosup/pipeline/result_images.h"
 #include "prosup/pipeline/unloaded_grid.h"
 
 namespace prosup::pipeline {
@@ -165,9 +166,7 @@ std::optional<image::ScalarImage> SingleStateJob::write_warped(const image::Vect
                                                                const fs::path& file) const {
   if (!original_)
     return {};
-  image::ScalarImage warped = image::warp(original_->image, field);
-  image::write_image(warped, file);
-  return warped;
+  return pipeline::write_warped(original_->image, field, file);
 }
 
 output::Summary SingleStateJob::summary(double memory) const {

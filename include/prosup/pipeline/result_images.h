@@ -12,6 +12,11 @@
 
 namespace prosup::pipeline {
 
+/// Warps an original image by `field` and writes it to `file`. What lies beyond
+/// its field of view gets its darkest value, which is air in MR and CT alike.
+image::ScalarImage write_warped(const image::ScalarImage& original, const image::VectorImage& field,
+                                const std::filesystem::path& file);
+
 /// Writes the four displacement fields and both unloaded images to `folder`,
 /// those of each state by the first rank that works on it, so that two ranks
 /// share the work. The meshes come from rank 0 and go to the other.
