@@ -5,6 +5,7 @@
 
 #include "loaded_box.h"
 #include "prosup/core/error.h"
+#include "static_box.h"
 
 using namespace dealii;
 using namespace prosup;
@@ -31,13 +32,6 @@ struct HangingCube {
   unloading::UnloadingResult result;
 };
 
-double largest_difference(const mechanics::NodeVector& a, const mechanics::NodeVector& b) {
-  double largest = 0.;
-  for (unsigned i = 0; i < a.locally_owned_size(); ++i)
-    largest = std::max(largest, std::abs(a.local_element(i) - b.local_element(i)));
-  return Utilities::MPI::max(largest, MPI_COMM_WORLD);
-}
-
 } // namespace
 
 TEST(Correction, FullAndRelaxedFindTheSameStateOfAStiffBody) {
@@ -49,7 +43,8 @@ TEST(Correction, FullAndRelaxedFindTheSameStateOfAStiffBody) {
     parameters.correction_interval = interval;
     const HangingCube full(parameters, 600.);
     EXPECT_TRUE(full.result.converged) << interval;
-    EXPECT_LT(largest_difference(full.unloading.unloaded(), relaxed.unloading.unloaded()), 1e-3);
+    EXPECT_LT(tests::largest_difference(full.unloading.unloaded(), relaxed.unloading.unloaded()),
+              1e-3);
   }
 }
 
