@@ -58,14 +58,14 @@ struct ImageForce::Samples {
     }
   }
 
-  NodeVector forces(const LoadedState& state, const std::vector<float>& derivatives) const {
+  NodeVector forces(const LoadedState& state, const std::vector<float>& slope) const {
     NodeVector forces;
     if (state.body == nullptr)
       return forces;
     state.body->initialize(forces);
     for (std::size_t i = 0; i < voxels.size(); ++i) {
       const Tensor<1, 3> force =
-          -static_cast<double>(derivatives[voxels[i].index]) * Tensor<1, 3>(gradients[i]);
+          -static_cast<double>(slope[voxels[i].index]) * Tensor<1, 3>(gradients[i]);
       for (unsigned a = 0; a < 4; ++a)
         for (unsigned c = 0; c < 3; ++c)
           forces.local_element(3 * state.body->cells()[voxels[i].cell][a] + c) +=
@@ -110,11 +110,11 @@ SimilarityResult ImageForce::evaluate(const SimilarityDomain& domain,
                                       const std::array<LoadedState, 2>& states) const {
   const std::array<Samples, 2> samples{Samples(domain, states[prone]),
                                        Samples(domain, states[supine])};
-  std::array<std::vector<float>, 2> derivatives;
+  VoxelDerivatives derivatives;
   SimilarityResult result;
   result.value = metric_->evaluate(combine(domain, samples), derivatives);
   for (unsigned s = 0; s < 2; ++s)
-    result.forces[s] = samples[s].forces(states[s], derivatives[s]);
+    result.forces[s] = samples[s].forces(states[s], derivatives.slope[s]);
   return result;
 }
 

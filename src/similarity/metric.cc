@@ -5,19 +5,23 @@
 namespace prosup::similarity {
 
 double SumOfSquaredDifferences::evaluate(const WarpedPair& pair,
-                                         std::array<std::vector<float>, 2>& derivatives) const {
+                                         VoxelDerivatives& derivatives) const {
   const double volume = pair.grid.voxel_volume();
   const std::size_t n = pair.in_domain.size();
-  for (std::vector<float>& derivative : derivatives)
-    derivative.assign(n, 0.f);
+  for (unsigned s = 0; s < 2; ++s) {
+    derivatives.slope[s].assign(n, 0.f);
+    derivatives.curvature[s].assign(n, 0.f);
+  }
   double sum = 0.;
   for (std::size_t v = 0; v < n; ++v) {
     if (!pair.in_domain[v])
       continue;
     const double difference = pair.values[prone][v] - pair.values[supine][v];
     sum += difference * difference;
-    derivatives[prone][v] = static_cast<float>(volume * difference);
-    derivatives[supine][v] = static_cast<float>(-volume * difference);
+    derivatives.slope[prone][v] = static_cast<float>(volume * difference);
+    derivatives.slope[supine][v] = static_cast<float>(-volume * difference);
+    for (std::vector<float>& curvature : derivatives.curvature)
+      curvature[v] = static_cast<float>(volume);
   }
   return 0.5 * volume * sum;
 }

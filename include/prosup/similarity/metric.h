@@ -24,23 +24,30 @@ struct WarpedPair {
   std::vector<std::uint8_t> in_domain;
 };
 
+/// How the value of a metric changes with the values of either image at each
+/// voxel; all zero outside the domain.
+struct VoxelDerivatives {
+  /// dS/dP_v and dS/dS_v: exact.
+  std::array<std::vector<float>, 2> slope;
+  /// d^2 S/dP_v^2 and d^2 S/dS_v^2 with the other image held, as Gauss-Newton or
+  /// Fisher's information approximate them: never negative.
+  std::array<std::vector<float>, 2> curvature;
+};
+
 /// A measure of the dissimilarity of two warped images: the smaller the more
 /// alike. It sees voxels only, no mesh.
 class Metric {
 public:
   virtual ~Metric() = default;
 
-  /// The value, and in `derivatives` its derivatives by the values of either
-  /// image at each voxel (zero outside the domain).
-  virtual double evaluate(const WarpedPair& pair,
-                          std::array<std::vector<float>, 2>& derivatives) const = 0;
+  /// The value, and its derivatives.
+  virtual double evaluate(const WarpedPair& pair, VoxelDerivatives& derivatives) const = 0;
 };
 
 /// Sum of squared differences, eq. 12: S = 1/2 sum_v (P_v - S_v)^2 h^3, mm^3.
 class SumOfSquaredDifferences : public Metric {
 public:
-  double evaluate(const WarpedPair& pair,
-                  std::array<std::vector<float>, 2>& derivatives) const override;
+  double evaluate(const WarpedPair& pair, VoxelDerivatives& derivatives) const override;
 };
 
 /// The metrics that can be chosen by name.

@@ -129,11 +129,11 @@ TEST(Metric, SsdValueAndDerivative) {
   pair.grid.spacing = Tensor<1, 3>({2., 2., 2.});
   pair.values = {std::vector<float>{0.5f, 1.f}, std::vector<float>{0.25f, 0.f}};
   pair.in_domain = {1, 0};
-  std::array<std::vector<float>, 2> derivatives;
+  VoxelDerivatives derivatives;
   EXPECT_NEAR(make_metric("ssd")->evaluate(pair, derivatives), 0.5 * 8. * 0.0625, 1e-9);
-  EXPECT_FLOAT_EQ(derivatives[0][0], 2.f);
-  EXPECT_FLOAT_EQ(derivatives[1][0], -2.f);
-  EXPECT_FLOAT_EQ(derivatives[0][1], 0.f);
+  EXPECT_FLOAT_EQ(derivatives.slope[0][0], 2.f);
+  EXPECT_FLOAT_EQ(derivatives.slope[1][0], -2.f);
+  EXPECT_FLOAT_EQ(derivatives.slope[0][1], 0.f);
 }
 
 TEST(Metric, UnknownNameIsAnsweredWithTheList) {
