@@ -118,6 +118,15 @@ void Supports::put_on_surfaces(NodeVector& positions) {
   }
 }
 
+void Supports::project(NodeVector& field) const {
+  for (unsigned node = 0; node < body_.n_owned_nodes(); ++node)
+    if (fixed_[node])
+      std::fill_n(field.begin() + 3 * node, 3, 0.);
+  for (const ContactNode& c : contact_nodes_)
+    if (c.node < body_.n_owned_nodes())
+      add_to_node(field, c.node, -(c.way_back * node_value(field, c.node)) * c.way_back);
+}
+
 void Supports::linearize(const NodeVector& unloaded, const NodeVector& displacement) {
   for (ContactNode& c : contact_nodes_) {
     const Surface& surface = *contacts_[c.contact].surface;
@@ -130,13 +139,17 @@ void Supports::linearize(const NodeVector& unloaded, const NodeVector& displacem
   }
 }
 
-void Supports::add_forces(const NodeVector& displacement, const NodeVector& velocity,
-                          const std::vector<double>& mass, double time_step,
-                          NodeVector& force) const {
+void Supports::add_spring_forces(const NodeVector& displacement, NodeVector& force) const {
   if (!spring_stiffness_.empty())
     for (unsigned node = 0; node < body_.n_owned_nodes(); ++node)
       if (spring_stiffness_[node] > 0.)
         add_to_node(force, node, -spring_stiffness_[node] * node_value(displacement, node));
+}
+
+void Supports::add_forces(const NodeVector& displacement, const NodeVector& velocity,
+                          const std::vector<double>& mass, double time_step,
+                          NodeVector& force) const {
+  add_spring_forces(displacement, force);
   if (method_ != ContactMethod::gradual)
     return;
   const double steepness = 10. * std::log(9.) / correction_.speed_limit;

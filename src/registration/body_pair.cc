@@ -54,8 +54,8 @@ void BodyPair::for_each(const std::function<void(State, BodyState&)>& work) {
 
 void BodyPair::set_material(const mechanics::TissueMaterial& material, double shear_modulus) {
   for_each([&](State, BodyState& state) {
-    state.unloading->set_material(
-        material.parameters_of(state.body->material_ids(), shear_modulus));
+    state.material = material.parameters_of(state.body->material_ids(), shear_modulus);
+    state.unloading->set_material(state.material);
   });
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "gauss_newton.h"
 #include "prosup/core/error.h"
 
 namespace prosup::registration {
@@ -151,6 +152,23 @@ ImageForceResult ImageForceRegistration::run(BodyPair& pair, const SimilaritySet
                                              const similarity::Scene& scene, double shear_modulus,
                                              const Log& log) const {
   ImageForceResult result;
+  if (getenv("GN")) {
+    GaussNewtonParameters parameters;
+    parameters.weight = weight_;
+    parameters.max_updates = updates_per_level_;
+    parameters.least_gain = least_gain_;
+    if (getenv("FREE")) parameters.free_anchor = true;
+    if (getenv("TOL")) parameters.tolerance = atof(getenv("TOL"));
+    GaussNewton gn(parameters, pair, setup, log);
+    for (const double level : levels_)
+      gn.run_level(scene, level, shear_modulus, result.history);
+    gn.finish();
+    const auto settled = pair.unload();
+    result.n_steps += settled[prone].n_steps + settled[supine].n_steps;
+    result.converged = settled[prone].converged && settled[supine].converged;
+    log.line(format("settle: %u %u steps", settled[prone].n_steps, settled[supine].n_steps));
+    return result;
+  }
   double weight = weight_ * shear_modulus;
   for (const double level : levels_) {
     weight =

@@ -8,6 +8,7 @@
 namespace prosup::similarity {
 
 using namespace dealii;
+using mechanics::CellStiffness;
 using mechanics::NodeVector;
 
 namespace {
@@ -22,6 +23,29 @@ NodeVector displacement_of(const LoadedState& state) {
   for (unsigned i = 0; i < 3 * state.body->n_local_nodes(); ++i)
     displacement.local_element(i) = loaded.local_element(i) - state.unloaded->local_element(i);
   return displacement;
+}
+
+/// Columns are the edges from the first corner.
+Tensor<2, 3> edges(const std::array<unsigned, 4>& cell, const NodeVector& positions) {
+  Tensor<2, 3> edges;
+  for (unsigned b = 0; b < 3; ++b) {
+    const Tensor<1, 3> edge = mechanics::node_value(positions, cell[b + 1]) -
+                              mechanics::node_value(positions, cell[0]);
+    for (unsigned c = 0; c < 3; ++c)
+      edges[c][b] = edge[c];
+  }
+  return edges;
+}
+
+double residual_variance(const VoxelDerivatives& derivatives, double voxel_volume) {
+  double slopes = 0., curvatures = 0.;
+  for (unsigned s = 0; s < 2; ++s) {
+    for (const double slope : derivatives.slope[s])
+      slopes += slope * slope;
+    for (const double curvature : derivatives.curvature[s])
+      curvatures += curvature;
+  }
+  return curvatures > 0. ? slopes / curvatures / voxel_volume : 0.;
 }
 
 bool counts(float prone_cover, float supine_cover, bool no_air) {
@@ -58,6 +82,20 @@ struct ImageForce::Samples {
     }
   }
 
+  /// Makes of grad_x P the derivative -F^T grad_x P by the unloaded positions.
+  void derive_by_unloaded(const LoadedState& state) {
+    if (state.body == nullptr)
+      return;
+    const auto& cells = state.body->cells();
+    std::vector<Tensor<2, 3>> minus_transposed;
+    minus_transposed.reserve(cells.size());
+    for (const auto& cell : cells)
+      minus_transposed.push_back(
+          -transpose(edges(cell, state.body->vertex_positions()) * invert(edges(cell, *state.unloaded))));
+    for (std::size_t i = 0; i < voxels.size(); ++i)
+      gradients[i] = minus_transposed[voxels[i].cell] * Tensor<1, 3>(gradients[i]);
+  }
+
   NodeVector forces(const LoadedState& state, const std::vector<float>& slope) const {
     NodeVector forces;
     if (state.body == nullptr)
@@ -73,6 +111,23 @@ struct ImageForce::Samples {
     }
     forces.compress(VectorOperation::add);
     return forces;
+  }
+
+  std::vector<CellStiffness> stiffness(const LoadedState& state,
+                                       const std::vector<float>& curvature) const {
+    std::vector<CellStiffness> cells(state.body == nullptr ? 0 : state.body->cells().size());
+    for (std::size_t i = 0; i < voxels.size(); ++i) {
+      const VoxelMap::Voxel& voxel = voxels[i];
+      const Tensor<1, 3> gradient(gradients[i]);
+      const SymmetricTensor<2, 3> stiffness =
+          static_cast<double>(curvature[voxel.index]) * symmetrize(outer_product(gradient, gradient));
+      unsigned pair = 0;
+      for (unsigned a = 0; a < 4; ++a)
+        for (unsigned b = a; b < 4; ++b, ++pair)
+          cells[voxel.cell][pair] +=
+              static_cast<double>(voxel.weights[a] * voxel.weights[b]) * stiffness;
+    }
+    return cells;
   }
 };
 
@@ -107,14 +162,20 @@ WarpedPair ImageForce::combine(const SimilarityDomain& domain,
 }
 
 SimilarityResult ImageForce::evaluate(const SimilarityDomain& domain,
-                                      const std::array<LoadedState, 2>& states) const {
-  const std::array<Samples, 2> samples{Samples(domain, states[prone]),
-                                       Samples(domain, states[supine])};
+                                      const std::array<LoadedState, 2>& states,
+                                      Variable variable, bool with_stiffness) const {
+  std::array<Samples, 2> samples{Samples(domain, states[prone]), Samples(domain, states[supine])};
   VoxelDerivatives derivatives;
   SimilarityResult result;
   result.value = metric_->evaluate(combine(domain, samples), derivatives);
-  for (unsigned s = 0; s < 2; ++s)
+  result.residual_variance = residual_variance(derivatives, domain.grid.voxel_volume());
+  for (unsigned s = 0; s < 2; ++s) {
+    if (variable == Variable::unloaded)
+      samples[s].derive_by_unloaded(states[s]);
     result.forces[s] = samples[s].forces(states[s], derivatives.slope[s]);
+    if (with_stiffness)
+      result.stiffness[s] = samples[s].stiffness(states[s], derivatives.curvature[s]);
+  }
   return result;
 }
 

@@ -68,6 +68,31 @@ void Unloading::add_force(const NodeVector& increment, double ramp_time) {
   state_.ramp_time = ramp_time;
 }
 
+double Unloading::adopt(const NodeVector& unloaded) {
+  std::copy_n(unloaded.begin(), 3 * body_.n_owned_nodes(), state_.unloaded.begin());
+  state_.unloaded.update_ghost_values();
+  supports_.put_on_surfaces(state_.unloaded);
+  const NodeVector& loaded = body_.vertex_positions();
+  for (unsigned i = 0; i < 3 * body_.n_local_nodes(); ++i)
+    state_.displacement.local_element(i) =
+        loaded.local_element(i) - state_.unloaded.local_element(i);
+  update_reference();
+  integrator_.velocity() = 0.;
+  state_.loading = 1.;
+  state_.ramp_time = 0.;
+  state_.force = 0.;
+  state_.force_increment = 0.;
+  update_external_force();
+  supports_.linearize(state_.unloaded, state_.displacement);
+  NodeVector out_of_balance = external_force_;
+  const double jacobian =
+      Utilities::MPI::min(internal_force_.subtract(state_.displacement, out_of_balance),
+                          body_.communicator());
+  supports_.add_spring_forces(state_.displacement, out_of_balance);
+  state_.force.add(-1., out_of_balance);
+  return jacobian;
+}
+
 UnloadingResult Unloading::run() {
   return simulate(parameters_.max_steps, true);
 }

@@ -80,9 +80,16 @@ public:
   /// sink in where the loaded body pulls on them. Local.
   void put_on_surfaces(NodeVector& positions);
 
+  /// Projects a field of owned nodes (displacements or forces of X) to what fixed
+  /// nodes and the tangent planes that put_on_surfaces() found allow. Local.
+  void project(NodeVector& field) const;
+
   /// Takes over where the surfaces are at X + u, as tangent planes, for the next
   /// steps. Local.
   void linearize(const NodeVector& unloaded, const NodeVector& displacement);
+
+  /// Adds forces of springs. Owned nodes. Local.
+  void add_spring_forces(const NodeVector& displacement, NodeVector& force) const;
 
   /// Adds forces of springs, and of gradual corrections with masses m and time
   /// step h: m s(v) c / h^2. Owned nodes. Local.

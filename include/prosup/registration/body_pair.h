@@ -47,6 +47,8 @@ struct BodyState {
   std::unique_ptr<mechanics::Supports> supports;
   std::unique_ptr<unloading::Unloading> unloading;
   image::ScalarImage image; ///< loaded, intensities scaled to [0, 1]
+  /// Of each element, or a single one, Pa; as of BodyPair::set_material().
+  std::vector<mechanics::LameParameters> material;
 };
 
 /// Prone and supine with all that the registration does to both alike. Every

@@ -7,6 +7,7 @@
 
 #include "prosup/image/voxel_image.h"
 #include "prosup/mechanics/body.h"
+#include "prosup/mechanics/elastic_metric.h"
 #include "prosup/similarity/metric.h"
 
 namespace prosup::similarity {
@@ -29,12 +30,28 @@ struct SimilarityDomain {
   std::array<float, 2> air{0.f, 0.f}; ///< intensity outside the body of either image
 };
 
+/// The nodal positions by which the value is derived while the others are held.
+enum class Variable {
+  displacement, ///< u at fixed X: dP(X_v) = grad_x P . N_a du_a
+  unloaded      ///< X at fixed x: dP(X_v) = -(F^T grad_x P) . N_a dX_a, exact for linear cells
+};
+
 /// The dissimilarity of a pair and its forces.
 struct SimilarityResult {
   double value = 0.;
-  /// -dS/du_a of each state held by this rank, owned nodes, [S]/mm: for the
+  /// (sum_v slope_v^2)/(sum_v curvature_v)/h^3: the mean squared residual of the SSD, and
+  /// what takes its place in other metrics. A change of the scale of S changes it
+  /// alike.
+  double residual_variance = 0.;
+  /// -dS/du_a or -dS/dX_a of each state held by this rank, owned nodes, [S]/mm: for the
   /// SSD of images scaled to [0, 1], mm^2. Empty for other states.
   std::array<mechanics::NodeVector, 2> forces;
+  /// The part of d^2S/du_a du_b that Gauss-Newton keeps,
+  ///   sum_v d^2S/dP_v^2 N_a N_b grad_x P grad_x P^T
+  /// (or by X, with F^T grad_x P),
+  /// of each cell of this rank, [S]/mm^2: the stiffness of an image. Only if
+  /// asked for.
+  std::array<std::vector<mechanics::CellStiffness>, 2> stiffness;
 };
 
 /// Symmetric image forces, eq. 12 to 14: warps both images to the common
@@ -49,7 +66,9 @@ public:
   ImageForce(std::shared_ptr<const Metric> metric, MPI_Comm communicator);
 
   SimilarityResult evaluate(const SimilarityDomain& domain,
-                            const std::array<LoadedState, 2>& states) const;
+                            const std::array<LoadedState, 2>& states,
+                            Variable variable = Variable::displacement,
+                            bool with_stiffness = false) const;
 
   /// The two warped images, on every rank, for pictures and other measures.
   WarpedPair warp(const SimilarityDomain& domain, const std::array<LoadedState, 2>& states) const;

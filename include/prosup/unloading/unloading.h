@@ -72,6 +72,12 @@ public:
   /// linearly from 0 to their value over `ramp_time` seconds from now.
   void add_force(const NodeVector& increment, double ramp_time);
 
+  /// Takes `unloaded` (owned nodes, mm) as X and x - X as u, with the nodal forces
+  /// that hold this state in place of those added before. X is put on the surfaces of the
+  /// supports first. Returns the smallest J = det dx/dX; if that is not positive,
+  /// the state cannot be simulated. Collective.
+  double adopt(const NodeVector& unloaded);
+
   /// Keeps X where it is from now on: a plain forward simulation of the body
   /// under gravity, in which run() settles the loaded state X + u.
   void hold_reference() { holds_reference_ = true; }
@@ -94,6 +100,7 @@ public:
   UnloadingResult advance(unsigned n_steps);
 
   const mechanics::Body& body() const { return body_; }
+  const mechanics::Supports& supports() const { return supports_; }
   /// X, mm, with ghosts.
   const NodeVector& unloaded() const { return state_.unloaded; }
   /// u of the forward simulation, mm, with ghosts.
