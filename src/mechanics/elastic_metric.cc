@@ -117,9 +117,9 @@ void ElasticMetric::add_elements(const std::vector<LameParameters>& material,
       for (unsigned b = 0; b < 4; ++b) {
         const auto &g = shape.gradient[a], &h = shape.gradient[b];
         blocks_[slots_[cell][4 * a + b]] +=
-            shape.volume * (lame.mu * ((g * h) * Tensor<2, 3>(unit_symmetric_tensor<3>()) +
-                                       outer_product(h, g)) +
-                            lame.lambda * outer_product(g, h));
+            shape.volume *
+            (lame.mu * ((g * h) * Tensor<2, 3>(unit_symmetric_tensor<3>()) + outer_product(h, g)) +
+             lame.lambda * outer_product(g, h));
       }
   }
   const std::vector<double>& springs = supports_.spring_stiffness();

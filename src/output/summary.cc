@@ -41,7 +41,7 @@ Json as_json(const SimilarityEntry& entry) {
   return {{"stage", entry.stage},
           {"level_mm", entry.level_mm},
           {"iteration", entry.iteration},
-          {"ssd", entry.ssd}};
+          {"value", entry.value}};
 }
 
 Json as_json(const Summary& summary) {
@@ -53,8 +53,12 @@ Json as_json(const Summary& summary) {
   set_state(json, "prone", summary.prone);
   set_state(json, "supine", summary.supine);
   set(json, "steps", summary.steps);
+  set(json, "metric", summary.metric);
   set(json["material"], "shear_modulus", summary.shear_modulus);
   set(json["material"], "lambda", summary.lambda);
+  set(json["material"], "poisson_ratio", summary.poisson_ratio);
+  set(json["material"], "gland_ratio", summary.gland_ratio);
+  set(json["material"], "chest_stiffness", summary.chest_stiffness);
   set(json["tre"], "initial", summary.tre.initial);
   set(json["tre"], "unloaded", summary.tre.unloaded);
   set(json["tre"], "material", summary.tre.material);

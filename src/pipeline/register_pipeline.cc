@@ -44,6 +44,7 @@ RegisterPipeline::RegisterPipeline(const Stages& stages, const ParameterHandler&
     : stages_(stages), parameters_(parameters), log_(world), ranks_(world),
       timer_(ranks_.world(), log_), pair_(ranks_) {
   summary_.command = "register";
+  summary_.metric = stages.similarity.metric;
   summary_.ranks = Utilities::MPI::n_mpi_processes(world);
   summary_.converged = true;
   summary_.steps = 0;
@@ -90,33 +91,57 @@ void RegisterPipeline::build() {
 }
 
 void RegisterPipeline::unload() {
-  pair_.set_material(stages_.material, stages_.material.initial_shear_modulus());
+  pair_.set_properties(stages_.material, {stages_.material.initial(),
+                                          stages_.supports.chest_stiffness(stages_.scene.chest())});
   record(pair_.unload());
   evaluate(summary_.tre.unloaded);
 }
 
 void RegisterPipeline::update_material() {
   const registration::SimilaritySetup similarity(stages_.similarity, ranks_.world());
-  const auto domain = similarity.domain(pair_, inputs_.scene, stages_.material_update.level());
   const registration::MaterialUpdateResult result = stages_.material_update.run(
-      pair_, similarity, domain, stages_.material, stages_.material.initial_shear_modulus(), log_);
+      pair_, similarity, inputs_.scene, stages_.material, log_, observer());
   *summary_.steps += result.n_steps;
   summary_.converged = summary_.converged && result.converged;
-  summary_.shear_modulus = result.shear_modulus;
+  const registration::MechanicalProperties& found = pair_.properties();
+  summary_.shear_modulus = found.tissue.shear_modulus;
+  summary_.poisson_ratio = found.tissue.poisson_ratio;
+  summary_.gland_ratio = found.tissue.gland_ratio;
+  if (found.chest_stiffness > 0.)
+    summary_.chest_stiffness = found.chest_stiffness;
   summary_.lambda =
-      mechanics::lame_parameters(result.shear_modulus, stages_.material.poisson_ratio()).lambda;
-  record(result.history);
+      mechanics::lame_parameters(found.tissue.shear_modulus, found.tissue.poisson_ratio).lambda;
   evaluate(summary_.tre.material);
 }
 
 void RegisterPipeline::push_with_image_forces() {
   const registration::SimilaritySetup similarity(stages_.similarity, ranks_.world());
   const registration::ImageForceResult result =
-      stages_.image_forces.run(pair_, similarity, inputs_.scene, *summary_.shear_modulus, log_);
+      stages_.image_forces.run(pair_, similarity, inputs_.scene, log_, observer());
   *summary_.steps += result.n_steps;
   summary_.converged = summary_.converged && result.converged;
-  record(result.history);
   evaluate(summary_.tre.image_forces);
+}
+
+registration::Observer RegisterPipeline::observer() {
+  return [this](const registration::SimilarityRecord& record) {
+    const registration::MechanicalProperties& properties = pair_.properties();
+    output::ConvergenceEntry& entry = convergence_.emplace_back();
+    entry = {record.stage,
+             record.level,
+             record.iteration,
+             timer_.total(),
+             record.value,
+             properties.tissue.shear_modulus,
+             properties.tissue.poisson_ratio,
+             properties.tissue.gland_ratio,
+             properties.chest_stiffness,
+             record.force_weight,
+             {}};
+    if (!stages_.scene.landmarks.empty())
+      timer_.set_aside([&] { evaluate(entry.error); });
+    summary_.similarity.push_back({record.stage, record.level, record.iteration, record.value});
+  };
 }
 
 void RegisterPipeline::evaluate(std::optional<evaluation::ErrorStatistics>& error) {
@@ -131,11 +156,6 @@ void RegisterPipeline::record(const std::array<unloading::UnloadingResult, 2>& r
   }
   log_.line(describe("prone", results[prone]));
   log_.line(describe("supine", results[supine]));
-}
-
-void RegisterPipeline::record(const std::vector<registration::SimilarityRecord>& history) {
-  for (const auto& entry : history)
-    summary_.similarity.push_back({entry.stage, entry.level, entry.iteration, entry.value});
 }
 
 void RegisterPipeline::add_mesh_summaries() {
@@ -155,6 +175,9 @@ void RegisterPipeline::write(const std::filesystem::path& folder) {
     output::write_mesh(unloaded_[prone], folder, "prone");
     output::write_mesh(unloaded_[supine], folder, "supine");
     landmarks_.write(folder / "landmarks.csv");
+    output::write_convergence(convergence_, folder / "convergence.csv");
+    if (stages_.results.pictures)
+      output::write_convergence_picture(convergence_, folder / "convergence.svg");
     write_parameters(parameters_, folder / "used.prm");
   });
   const std::array<image::ScalarImage, 2> unloaded_images =

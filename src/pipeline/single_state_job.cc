@@ -72,8 +72,7 @@ void SingleStateJob::read() {
 }
 
 std::vector<mechanics::LameParameters> SingleStateJob::material(const mechanics::Body& body) const {
-  return stages_.material.parameters_of(body.material_ids(),
-                                        stages_.material.initial_shear_modulus());
+  return stages_.material.parameters_of(body.material_ids(), stages_.material.initial());
 }
 
 mechanics::NodeVector SingleStateJob::equilibrium(const mechanics::Body& body,
@@ -178,7 +177,7 @@ output::Summary SingleStateJob::summary(double memory) const {
       quality.n_cells, quality.n_nodes, quality.min_quality, mesh::min_jacobian(mesh_)};
   summary.steps = n_steps_;
   summary.tre.unloaded = error();
-  summary.shear_modulus = stages_.material.initial_shear_modulus();
+  summary.shear_modulus = stages_.material.initial().shear_modulus;
   summary.time.mesh = timer_.seconds("Meshing");
   summary.time.unloading = timer_.seconds(simulation_);
   summary.time.total = timer_.total();

@@ -19,11 +19,18 @@ StageTimer::StageTimer(MPI_Comm communicator, const Log& log)
 
 void StageTimer::run(const std::string& name, const std::function<void()>& stage) {
   const Clock::time_point start = Clock::now();
+  const double set_aside_before = set_aside_;
   log_.line(name);
   stage();
   MPI_Barrier(communicator_);
-  stages_.push_back({name, since(start)});
+  stages_.push_back({name, since(start) - (set_aside_ - set_aside_before)});
   log_.line(format("  %.1f s", stages_.back().seconds));
+}
+
+void StageTimer::set_aside(const std::function<void()>& work) {
+  const Clock::time_point start = Clock::now();
+  work();
+  set_aside_ += since(start);
 }
 
 double StageTimer::seconds(const std::string& name) const {
@@ -35,7 +42,7 @@ double StageTimer::seconds(const std::string& name) const {
 }
 
 double StageTimer::total() const {
-  return since(start_);
+  return since(start_) - set_aside_;
 }
 
 std::string StageTimer::table() const {

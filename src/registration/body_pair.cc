@@ -3,6 +3,7 @@
 #include <deal.II/base/mpi.h>
 
 #include "prosup/core/collective.h"
+#include "prosup/mesh/tet_mesh.h"
 
 namespace prosup::registration {
 
@@ -14,6 +15,7 @@ using unloading::UnloadingResult;
 namespace {
 
 constexpr std::array<State, 2> both{prone, supine};
+constexpr auto chest_wall = static_cast<dealii::types::boundary_id>(mesh::BoundaryPart::chest_wall);
 
 /// Results of the two states are known to the ranks that hold them; this tells
 /// all others.
@@ -52,11 +54,21 @@ void BodyPair::for_each(const std::function<void(State, BodyState&)>& work) {
   });
 }
 
-void BodyPair::set_material(const mechanics::TissueMaterial& material, double shear_modulus) {
+void BodyPair::set_properties(const mechanics::TissueMaterial& material,
+                              const MechanicalProperties& properties) {
+  properties_ = properties;
   for_each([&](State, BodyState& state) {
-    state.material = material.parameters_of(state.body->material_ids(), shear_modulus);
+    state.supports->set_springs_on(chest_wall, properties.chest_stiffness);
+    state.material = material.parameters_of(state.body->material_ids(), properties.tissue);
     state.unloading->set_material(state.material);
   });
+}
+
+bool BodyPair::has_gland(const mechanics::TissueMaterial& material) const {
+  bool any = false;
+  for (const State s : both)
+    any = any || (ranks_.holds(s) && material.has_gland(states_[s].body->material_ids()));
+  return dealii::Utilities::MPI::max(static_cast<int>(any), ranks_.world()) > 0;
 }
 
 std::array<UnloadingResult, 2> BodyPair::unload(unsigned n_steps) {

@@ -1,10 +1,13 @@
-#include "gauss_newton.h"
-
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
+
+#include "prosup/mechanics/elastic_metric.h"
+#include "prosup/registration/image_force_registration.h"
 
 namespace prosup::registration {
 
@@ -12,11 +15,14 @@ using namespace dealii;
 using mechanics::node_value;
 using mechanics::NodeVector;
 using similarity::prone;
+using similarity::SimilarityDomain;
 using similarity::supine;
 
 namespace {
 
 constexpr std::array<State, 2> both{prone, supine};
+constexpr double shortest_step = 0.05; // of a Gauss-Newton step
+constexpr double linear_tolerance = 1e-2;
 
 double volume(const std::array<unsigned, 4>& nodes, const NodeVector& positions) {
   const Tensor<1, 3> origin = node_value(positions, nodes[0]);
@@ -25,6 +31,7 @@ double volume(const std::array<unsigned, 4>& nodes, const NodeVector& positions)
          (node_value(positions, nodes[3]) - origin) / 6.;
 }
 
+/// Smallest J = det dx/dX of a cell; 0 if one is inverted.
 double smallest_jacobian(const mechanics::Body& body, const NodeVector& unloaded) {
   double smallest = std::numeric_limits<double>::max();
   for (const auto& cell : body.cells()) {
@@ -34,111 +41,152 @@ double smallest_jacobian(const mechanics::Body& body, const NodeVector& unloaded
   return smallest;
 }
 
+/// What is known of a pair of unloaded positions.
+struct Point {
+  std::array<NodeVector, 2> unloaded;      ///< X
+  std::array<NodeVector, 2> elastic_force; ///< K (X - X0)
+  double energy = 0.;                      ///< 1/2 (X - X0)^T K (X - X0), both states
+  bool is_allowed = false;                 ///< no element is near inversion
+  similarity::SimilarityResult similarity; ///< if allowed
+
+  double objective(double kappa) const { return kappa * similarity.value + energy; }
+};
+
 } // namespace
 
-GaussNewton::GaussNewton(const GaussNewtonParameters& parameters, BodyPair& pair,
-                         const SimilaritySetup& setup, const Log& log)
-    : parameters_(parameters), pair_(pair), setup_(setup), log_(log) {
-  pair_.for_each([&](State which, BodyState& state) {
-    start_[which] = state.unloading->unloaded();
-    start_[which].update_ghost_values();
-    state.supports->put_on_surfaces(start_[which]);
-    metric_[which] = std::make_unique<mechanics::ElasticMetric>(*state.supports, state.material,
-                                                                start_[which]);
-  });
-  present_ = start_;
-}
+/// The updates on one image level.
+class ImageForceRegistration::GaussNewton {
+public:
+  GaussNewton(const ImageForceRegistration& parameters, BodyPair& pair,
+              const SimilaritySetup& setup, const Log& log, const Observer& observer)
+      : parameters_(parameters), pair_(pair), setup_(setup), log_(log), observer_(observer) {
+    pair_.for_each([&](State which, BodyState& state) {
+      start_[which] = state.unloading->unloaded();
+      start_[which].update_ghost_values();
+      state.supports->put_on_surfaces(start_[which]);
+      metric_[which] = std::make_unique<mechanics::ElasticMetric>(*state.supports, state.material,
+                                                                  start_[which]);
+    });
+  }
 
-double GaussNewton::sum_of_states(const std::array<double, 2>& values) const {
-  double sum = 0.;
-  const int rank = Utilities::MPI::this_mpi_process(pair_.ranks().world());
-  for (const State s : both)
-    if (pair_.ranks().holds(s) && rank == pair_.ranks().first_rank(s))
-      sum += values[s];
-  return Utilities::MPI::sum(sum, pair_.ranks().world());
-}
+  /// Updates until nothing more is gained; the pair has the last good state.
+  unsigned run(const similarity::Scene& scene, double level) {
+    domain_ = setup_.domain(pair_, scene, level);
+    images_ = setup_.images(pair_, level);
+    std::array<NodeVector, 2> present;
+    pair_.for_each(
+        [&](State which, BodyState& state) { present[which] = state.unloading->unloaded(); });
+    Point point = evaluate(std::move(present));
+    report(level, 0, 0., point);
+    unsigned n_updates = 0;
+    while (n_updates < parameters_.updates_per_level_ && point.is_allowed) {
+      const double kappa = parameters_.image_weight_ * pair_.properties().tissue.shear_modulus /
+                           point.similarity.residual_variance;
+      const double before = point.objective(kappa);
+      if (!std::isfinite(kappa) || !improve(point, kappa))
+        break;
+      pair_.for_each(
+          [&](State which, BodyState& state) { state.unloading->adopt(point.unloaded[which]); });
+      report(level, ++n_updates, kappa, point);
+      if (before - point.objective(kappa) < parameters_.least_gain_ * before)
+        break;
+    }
+    return n_updates;
+  }
 
-GaussNewton::Point GaussNewton::evaluate(const similarity::SimilarityDomain& domain,
-                                         const std::array<image::ScalarImage, 2>& images,
-                                         Positions unloaded) const {
-  Point point;
-  point.unloaded = std::move(unloaded);
-  std::array<similarity::LoadedState, 2> states = pair_.loaded_states(images);
-  std::array<double, 2> energy{};
-  double jacobian = std::numeric_limits<double>::max();
-  pair_.for_each([&](State which, BodyState& state) {
-    NodeVector& X = point.unloaded[which];
-    X.update_ghost_values();
-    state.supports->put_on_surfaces(X);
-    states[which].unloaded = &X;
-    jacobian = std::min(jacobian, smallest_jacobian(*state.body, X));
-    NodeVector way = X;
-    way -= start_[which];
-    state.body->initialize(point.elastic_force[which]);
-    metric_[which]->multiply(way, point.elastic_force[which]);
-    energy[which] = 0.5 * (point.elastic_force[which] * way);
-  });
-  point.min_jacobian = Utilities::MPI::min(jacobian, pair_.ranks().world());
-  point.energy = sum_of_states(energy);
-  if (point.min_jacobian > parameters_.smallest_jacobian)
-    point.similarity = setup_.force().evaluate(domain, states, similarity::Variable::unloaded, true);
-  return point;
-}
-
-GaussNewton::Positions GaussNewton::step(const Point& point, double kappa) const {
-  Positions step;
-  pair_.for_each([&](State which, BodyState&) {
-    NodeVector force = point.similarity.forces[which];
-    force *= kappa;
-    if (!parameters_.free_anchor)
-    force -= point.elastic_force[which];
-    const unsigned n = metric_[which]->solve(point.similarity.stiffness[which], 2. * kappa, force, parameters_.tolerance,
-                          step[which]);
-    if (which == prone) log_.line(format("cg %u", n));
-  });
-  return step;
-}
-
-void GaussNewton::run_level(const similarity::Scene& scene, double level, double shear_modulus,
-                            std::vector<SimilarityRecord>& history) {
-  const auto domain = setup_.domain(pair_, scene, level);
-  const auto images = setup_.images(pair_, level);
-  Point point = evaluate(domain, images, present_);
-  history.push_back({"image_forces", level, 0, 0., 0., point.similarity.value});
-  for (unsigned i = 1; i <= parameters_.max_updates; ++i) {
-    const double kappa =
-        parameters_.weight * shear_modulus / point.similarity.residual_variance;
-    const double anchor = parameters_.free_anchor ? 0. : 1.;
-    const double before = kappa * point.similarity.value + anchor*point.energy;
-    const Positions direction = step(point, kappa);
-    Point next;
-    double length = 1., after = 0.;
-    for (; length > 0.05; length *= 0.5) {
-      Positions trial = point.unloaded;
+private:
+  /// Moves the point along the Gauss-Newton step, if that makes it better.
+  bool improve(Point& point, double kappa) const {
+    const std::array<NodeVector, 2> direction = step(point, kappa);
+    for (double length = 1.; length > shortest_step; length *= 0.5) {
+      std::array<NodeVector, 2> trial = point.unloaded;
       for (const State s : both)
         if (pair_.ranks().holds(s))
           trial[s].add(length, direction[s]);
-      next = evaluate(domain, images, std::move(trial));
-      after = kappa * next.similarity.value + anchor * next.energy;
-      if (next.min_jacobian > parameters_.smallest_jacobian && after < before)
-        break;
+      Point next = evaluate(std::move(trial));
+      if (next.is_allowed && next.objective(kappa) < point.objective(kappa)) {
+        point = std::move(next);
+        return true;
+      }
     }
-    if (!(length > 0.05))
-      break;
-    point = std::move(next);
-    history.push_back({"image_forces", level, i, 0., kappa, point.similarity.value});
-    log_.line(format("  image forces: level %g mm, update %u, weight %.0f Pa, S %.1f, rms %.4f, energy %.3g, length %g, phi %g, J %.2f",
-                         level, i, kappa, point.similarity.value,
-                         std::sqrt(point.similarity.residual_variance), point.energy, length, after, point.min_jacobian));
-    if (before - after < parameters_.least_gain * before)
-      break;
+    return false;
   }
-  present_ = point.unloaded;
-}
 
-void GaussNewton::finish() {
-  pair_.for_each(
-      [&](State which, BodyState& state) { state.unloading->adopt(present_[which]); });
+  std::array<NodeVector, 2> step(const Point& point, double kappa) const {
+    std::array<NodeVector, 2> step;
+    pair_.for_each([&](State which, BodyState&) {
+      NodeVector force = point.similarity.forces[which];
+      force *= kappa;
+      force -= point.elastic_force[which];
+      metric_[which]->solve(point.similarity.stiffness[which], 2. * kappa, force, linear_tolerance,
+                            step[which]);
+    });
+    return step;
+  }
+
+  Point evaluate(std::array<NodeVector, 2> unloaded) const {
+    Point point;
+    point.unloaded = std::move(unloaded);
+    std::array<similarity::LoadedState, 2> states = pair_.loaded_states(images_);
+    std::array<double, 2> energy{};
+    double jacobian = std::numeric_limits<double>::max();
+    pair_.for_each([&](State which, BodyState& state) {
+      NodeVector& X = point.unloaded[which];
+      X.update_ghost_values();
+      state.supports->put_on_surfaces(X);
+      states[which].unloaded = &X;
+      jacobian = std::min(jacobian, smallest_jacobian(*state.body, X));
+      NodeVector way = X;
+      way -= start_[which];
+      NodeVector& force = point.elastic_force[which];
+      state.body->initialize(force);
+      metric_[which]->multiply(way, force);
+      energy[which] = 0.5 * (force * way);
+    });
+    point.energy = sum_of_states(energy);
+    point.is_allowed =
+        Utilities::MPI::min(jacobian, pair_.ranks().world()) > parameters_.smallest_jacobian_;
+    if (point.is_allowed)
+      point.similarity =
+          setup_.force().evaluate(domain_, states, similarity::Variable::unloaded, true);
+    return point;
+  }
+
+  double sum_of_states(const std::array<double, 2>& values) const {
+    const RankSplit& ranks = pair_.ranks();
+    const int rank = Utilities::MPI::this_mpi_process(ranks.world());
+    double sum = 0.;
+    for (const State s : both)
+      if (ranks.holds(s) && rank == ranks.first_rank(s))
+        sum += values[s];
+    return Utilities::MPI::sum(sum, ranks.world());
+  }
+
+  void report(double level, unsigned update, double kappa, const Point& point) const {
+    log_.progress(format("  image forces: level %g mm, update %u, weight %.0f Pa, %s %.4g", level,
+                         update, kappa, setup_.metric().c_str(), point.similarity.value));
+    if (observer_)
+      observer_({"image_forces", level, update, kappa, point.similarity.value});
+  }
+
+  const ImageForceRegistration& parameters_;
+  BodyPair& pair_;
+  const SimilaritySetup& setup_;
+  const Log& log_;
+  const Observer& observer_;
+  std::array<std::unique_ptr<mechanics::ElasticMetric>, 2> metric_;
+  std::array<NodeVector, 2> start_; ///< X0
+  SimilarityDomain domain_;
+  std::array<image::ScalarImage, 2> images_;
+};
+
+void ImageForceRegistration::run_gauss_newton(BodyPair& pair, const SimilaritySetup& setup,
+                                              const similarity::Scene& scene, const Log& log,
+                                              const Observer& observer,
+                                              ImageForceResult& result) const {
+  GaussNewton steps(*this, pair, setup, log, observer);
+  for (const double level : levels_)
+    result.n_updates += steps.run(scene, level);
 }
 
 } // namespace prosup::registration

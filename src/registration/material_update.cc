@@ -1,8 +1,7 @@
 #include "prosup/registration/material_update.h"
 
-#include <optional>
-
-#include "prosup/core/error.h"
+#include "property_search.h"
+#include "prosup/core/parameters.h"
 
 namespace prosup::registration {
 
@@ -10,99 +9,77 @@ using namespace dealii;
 
 namespace {
 
-/// One walk through shear moduli, and the best state seen.
-class Search {
-public:
-  Search(BodyPair& pair, const SimilaritySetup& setup, const similarity::SimilarityDomain& domain,
-         double level, const mechanics::TissueMaterial& material, double shear_modulus,
-         const Log& log)
-      : pair_(pair), setup_(setup), domain_(domain), level_(level), material_(material), log_(log),
-        images_(setup.images(pair, level)), best_value_(similarity()), best_(pair.save()) {
-    result_.shear_modulus = shear_modulus;
-    record(shear_modulus, best_value_);
+const std::vector<std::string> method_names{"search", "stepwise", "none"};
+
+/// Multiplies by `factor` while the similarity improves; returns how often it did.
+unsigned walk(PropertyTrials& trials, double factor, unsigned max_steps) {
+  unsigned n_accepted = 0;
+  for (; n_accepted < max_steps; ++n_accepted) {
+    MechanicalProperties properties = trials.best();
+    properties.tissue.shear_modulus *= factor;
+    const bool found = trials.unload(properties);
+    const double value = found ? trials.value() : 0.;
+    if (!found || !(value < trials.best_value()))
+      break;
+    trials.accept(value);
   }
-
-  /// Multiplies by `factor` while the similarity improves; returns how often it did.
-  unsigned walk(double factor, unsigned max_steps) {
-    unsigned n_accepted = 0;
-    while (n_accepted < max_steps && improves(result_.shear_modulus * factor))
-      ++n_accepted;
-    pair_.set_material(material_, result_.shear_modulus);
-    pair_.restore(best_);
-    return n_accepted;
-  }
-
-  MaterialUpdateResult result() const { return result_; }
-
-private:
-  bool improves(double shear_modulus) {
-    try {
-      pair_.set_material(material_, shear_modulus);
-      const auto unloaded = pair_.unload();
-      result_.n_steps += unloaded[0].n_steps + unloaded[1].n_steps;
-      const double value = similarity();
-      record(shear_modulus, value);
-      if (!(value < best_value_))
-        return false;
-      best_value_ = value;
-      best_ = pair_.save();
-      result_.shear_modulus = shear_modulus;
-      result_.converged = unloaded[0].converged && unloaded[1].converged;
-      return true;
-    } catch (const Error& error) {
-      log_.line(std::string("  shear modulus rejected: ") + error.what());
-      return false;
-    }
-  }
-
-  double similarity() const {
-    return setup_.force().evaluate(domain_, pair_.loaded_states(images_)).value;
-  }
-
-  void record(double shear_modulus, double value) {
-    const auto iteration = static_cast<unsigned>(result_.history.size());
-    result_.history.push_back({"material", level_, iteration, shear_modulus, 0., value});
-    log_.line(format("  material: mu %.1f Pa, SSD %.1f", shear_modulus, value));
-  }
-
-  BodyPair& pair_;
-  const SimilaritySetup& setup_;
-  const similarity::SimilarityDomain& domain_;
-  const double level_;
-  const mechanics::TissueMaterial& material_;
-  const Log& log_;
-  const std::array<image::ScalarImage, 2> images_;
-  double best_value_;
-  BodyPair::Snapshot best_;
-  MaterialUpdateResult result_;
-};
+  trials.return_to_best();
+  return n_accepted;
+}
 
 } // namespace
 
-MaterialUpdate::MaterialUpdate() : ParameterAcceptor("Material update") {}
+MaterialUpdate::MaterialUpdate()
+    : ParameterAcceptor("Material update"), method_(method_names.front()),
+      properties_(property_names()) {}
 
 void MaterialUpdate::declare_parameters(ParameterHandler& prm) {
+  prm.add_parameter("Method", method_,
+                    "search: Gauss-Newton steps for all chosen properties at once. stepwise: the "
+                    "paper's steps of the shear modulus. none: the properties stay as given.",
+                    one_of(method_names));
+  prm.add_parameter(
+      "Properties", properties_,
+      "What the search may change, from the values given under Material and "
+      "Supports. The gland ratio only counts where there is gland, the chest stiffness "
+      "where the tissue slides on springs.",
+      Patterns::List(*one_of(property_names()).clone(), 0, 4));
+  prm.add_parameter("Levels", levels_,
+                    "Edges of the voxels on which the images are compared, from coarse to fine. "
+                    "Stepwise uses the last one. Units: mm.",
+                    Patterns::List(Patterns::Double(0.1, 50.), 1, 20));
+  prm.add_parameter("Maximum steps", max_steps_,
+                    "Largest number of accepted steps on a level. Units: none.",
+                    Patterns::Integer(0, 1000));
+  prm.add_parameter("Least gain", least_gain_,
+                    "A search ends with a step that lowers the similarity by less than this part. "
+                    "Units: none.",
+                    Patterns::Double(0., 1.));
   prm.add_parameter(
       "Factor", factor_,
-      "Factor on the shear modulus of one step, used both ways (paper: 1.1 clinical, 1.2 "
-      "phantom). Units: none.",
+      "Factor on the shear modulus of one step of stepwise, used both ways (paper: 1.1 clinical, "
+      "1.2 phantom). Units: none.",
       Patterns::Double(1.0001, 10.));
-  prm.add_parameter("Maximum steps", max_steps_,
-                    "Largest number of accepted steps; 0 keeps the initial material. Units: none.",
-                    Patterns::Integer(0, 1000));
-  prm.add_parameter("Level", level_,
-                    "Edge of the voxels on which the images are compared. Units: mm.",
-                    Patterns::Double(0.1, 50.));
 }
 
 MaterialUpdateResult MaterialUpdate::run(BodyPair& pair, const SimilaritySetup& setup,
-                                         const similarity::SimilarityDomain& domain,
-                                         const mechanics::TissueMaterial& material,
-                                         double shear_modulus, const Log& log) const {
-  Search search(pair, setup, domain, level_, material, shear_modulus, log);
-  if (max_steps_ > 0 && search.walk(factor_, max_steps_) == 0)
-    search.walk(1. / factor_, max_steps_);
-  return search.result();
+                                         const similarity::Scene& scene,
+                                         const mechanics::TissueMaterial& material, const Log& log,
+                                         const Observer& observer) const {
+  MaterialUpdateResult result;
+  if (method_ == "none")
+    return result;
+  if (method_ == "stepwise") {
+    PropertyTrials trials(pair, setup, scene, material, levels_.back(), log, observer, result);
+    if (max_steps_ > 0 && walk(trials, factor_, max_steps_) == 0)
+      walk(trials, 1. / factor_, max_steps_);
+    return result;
+  }
+  for (const double level : levels_) {
+    PropertyTrials trials(pair, setup, scene, material, level, log, observer, result);
+    search_properties(properties_, trials, pair.has_gland(material), max_steps_, least_gain_);
+  }
+  return result;
 }
 
 } // namespace prosup::registration

@@ -1,5 +1,6 @@
 #include "prosup/similarity/image_force.h"
 
+#include <cmath>
 #include <utility>
 
 #include "prosup/image/sampling.h"
@@ -29,8 +30,8 @@ NodeVector displacement_of(const LoadedState& state) {
 Tensor<2, 3> edges(const std::array<unsigned, 4>& cell, const NodeVector& positions) {
   Tensor<2, 3> edges;
   for (unsigned b = 0; b < 3; ++b) {
-    const Tensor<1, 3> edge = mechanics::node_value(positions, cell[b + 1]) -
-                              mechanics::node_value(positions, cell[0]);
+    const Tensor<1, 3> edge =
+        mechanics::node_value(positions, cell[b + 1]) - mechanics::node_value(positions, cell[0]);
     for (unsigned c = 0; c < 3; ++c)
       edges[c][b] = edge[c];
   }
@@ -82,18 +83,19 @@ struct ImageForce::Samples {
     }
   }
 
-  /// Makes of grad_x P the derivative -F^T grad_x P by the unloaded positions.
-  void derive_by_unloaded(const LoadedState& state) {
-    if (state.body == nullptr)
+  /// Makes of grad_x P what takes its place in derivatives by the variable.
+  void derive_by(Variable variable, const LoadedState& state) {
+    if (state.body == nullptr || variable == Variable::displacement)
       return;
-    const auto& cells = state.body->cells();
-    std::vector<Tensor<2, 3>> minus_transposed;
-    minus_transposed.reserve(cells.size());
-    for (const auto& cell : cells)
-      minus_transposed.push_back(
-          -transpose(edges(cell, state.body->vertex_positions()) * invert(edges(cell, *state.unloaded))));
+    std::vector<Tensor<2, 3>> factors;
+    factors.reserve(state.body->cells().size());
+    for (const auto& cell : state.body->cells()) {
+      const Tensor<2, 3> F =
+          edges(cell, state.body->vertex_positions()) * invert(edges(cell, *state.unloaded));
+      factors.push_back(variable == Variable::unloaded ? -transpose(F) : F * transpose(F));
+    }
     for (std::size_t i = 0; i < voxels.size(); ++i)
-      gradients[i] = minus_transposed[voxels[i].cell] * Tensor<1, 3>(gradients[i]);
+      gradients[i] = factors[voxels[i].cell] * Tensor<1, 3>(gradients[i]);
   }
 
   NodeVector forces(const LoadedState& state, const std::vector<float>& slope) const {
@@ -119,8 +121,8 @@ struct ImageForce::Samples {
     for (std::size_t i = 0; i < voxels.size(); ++i) {
       const VoxelMap::Voxel& voxel = voxels[i];
       const Tensor<1, 3> gradient(gradients[i]);
-      const SymmetricTensor<2, 3> stiffness =
-          static_cast<double>(curvature[voxel.index]) * symmetrize(outer_product(gradient, gradient));
+      const SymmetricTensor<2, 3> stiffness = static_cast<double>(curvature[voxel.index]) *
+                                              symmetrize(outer_product(gradient, gradient));
       unsigned pair = 0;
       for (unsigned a = 0; a < 4; ++a)
         for (unsigned b = a; b < 4; ++b, ++pair)
@@ -162,21 +164,37 @@ WarpedPair ImageForce::combine(const SimilarityDomain& domain,
 }
 
 SimilarityResult ImageForce::evaluate(const SimilarityDomain& domain,
-                                      const std::array<LoadedState, 2>& states,
-                                      Variable variable, bool with_stiffness) const {
+                                      const std::array<LoadedState, 2>& states, Variable variable,
+                                      bool with_stiffness) const {
   std::array<Samples, 2> samples{Samples(domain, states[prone]), Samples(domain, states[supine])};
   VoxelDerivatives derivatives;
   SimilarityResult result;
   result.value = metric_->evaluate(combine(domain, samples), derivatives);
   result.residual_variance = residual_variance(derivatives, domain.grid.voxel_volume());
   for (unsigned s = 0; s < 2; ++s) {
-    if (variable == Variable::unloaded)
-      samples[s].derive_by_unloaded(states[s]);
+    samples[s].derive_by(variable, states[s]);
     result.forces[s] = samples[s].forces(states[s], derivatives.slope[s]);
     if (with_stiffness)
       result.stiffness[s] = samples[s].stiffness(states[s], derivatives.curvature[s]);
   }
   return result;
+}
+
+double ImageForce::value(const SimilarityDomain& domain,
+                         const std::array<LoadedState, 2>& states) const {
+  VoxelDerivatives derivatives;
+  return metric_->evaluate(warp(domain, states), derivatives);
+}
+
+std::vector<float> ImageForce::residuals(const SimilarityDomain& domain,
+                                         const std::array<LoadedState, 2>& states) const {
+  VoxelDerivatives derivatives;
+  metric_->evaluate(warp(domain, states), derivatives);
+  std::vector<float> residuals = std::move(derivatives.slope[prone]);
+  const std::vector<float>& curvature = derivatives.curvature[prone];
+  for (std::size_t v = 0; v < residuals.size(); ++v)
+    residuals[v] = curvature[v] > 0.f ? residuals[v] / std::sqrt(curvature[v]) : 0.f;
+  return residuals;
 }
 
 WarpedPair ImageForce::warp(const SimilarityDomain& domain,

@@ -85,9 +85,8 @@ double Unloading::adopt(const NodeVector& unloaded) {
   update_external_force();
   supports_.linearize(state_.unloaded, state_.displacement);
   NodeVector out_of_balance = external_force_;
-  const double jacobian =
-      Utilities::MPI::min(internal_force_.subtract(state_.displacement, out_of_balance),
-                          body_.communicator());
+  const double jacobian = Utilities::MPI::min(
+      internal_force_.subtract(state_.displacement, out_of_balance), body_.communicator());
   supports_.add_spring_forces(state_.displacement, out_of_balance);
   state_.force.add(-1., out_of_balance);
   return jacobian;

@@ -34,26 +34,34 @@ dealii::Tensor<2, 3> first_piola_kirchhoff_stress(const dealii::Tensor<2, 3>& F,
 /// The materials that can be chosen by name.
 const std::vector<std::string>& material_names();
 
-/// The material of the tissues of a body: a shear modulus common to all, which
+/// What is not known of the tissues and may be found from images.
+struct TissueStiffness {
+  double shear_modulus = 357.1; ///< mu of a tissue whose factor is 1, Pa
+  double poisson_ratio = 0.4;   ///< nu, of all tissues
+  double gland_ratio = 1.;      ///< on top of the factor of gland
+};
+
+/// The material of the tissues of a body: a stiffness common to all, which
 /// the material update changes, and a factor for each tissue label.
 class TissueMaterial : public dealii::ParameterAcceptor {
 public:
   TissueMaterial();
   void declare_parameters(dealii::ParameterHandler& prm) override;
 
-  /// The shear modulus to start with, Pa.
-  double initial_shear_modulus() const { return shear_modulus_; }
-  double poisson_ratio() const { return poisson_ratio_; }
+  /// The stiffness to start with.
+  const TissueStiffness& initial() const { return initial_; }
+  /// Whether any of the labels is gland.
+  bool has_gland(const std::vector<unsigned>& tissue_labels) const;
 
-  /// Lame parameters for each entry of `tissue_labels` at the given common
-  /// shear modulus; a single entry if all tissues are the same material.
+  /// Lame parameters for each entry of `tissue_labels`; a single entry if all tissues
+  /// are the same material.
   std::vector<LameParameters> parameters_of(const std::vector<unsigned>& tissue_labels,
-                                            double shear_modulus) const;
+                                            const TissueStiffness& stiffness) const;
 
 private:
   std::string model_;
-  double shear_modulus_ = 357.1;
-  double poisson_ratio_ = 0.4;
+  TissueStiffness initial_;
+  unsigned gland_label_ = 3;
   std::map<unsigned, double> stiffness_factors_{{2, 1.}, {3, 1.}};
 };
 

@@ -24,7 +24,7 @@ struct SimilarityEntry {
   std::string stage; ///< unloading, material or image_forces
   double level_mm = 0.;
   unsigned iteration = 0;
-  double ssd = 0.;
+  double value = 0.; ///< of the metric
 };
 
 /// What `summary.json` holds of a run; what is not set is absent from it.
@@ -32,11 +32,14 @@ struct Summary {
   std::string command;
   unsigned ranks = 1;
   std::optional<StateSummary> prone, supine;
-  std::optional<std::size_t> steps; ///< explicit time steps of all stages
+  std::optional<std::size_t> steps;  ///< explicit time steps of all stages
+  std::optional<std::string> metric; ///< of the similarity
   std::vector<SimilarityEntry> similarity;
 
   std::optional<double> shear_modulus; ///< Pa
   std::optional<double> lambda;        ///< Pa
+  std::optional<double> poisson_ratio, gland_ratio;
+  std::optional<double> chest_stiffness; ///< Pa/mm
 
   struct Errors { ///< mm; absent without landmarks
     std::optional<evaluation::ErrorStatistics> initial, unloaded, material, image_forces;

@@ -7,8 +7,10 @@
 #include <array>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "prosup/core/log.h"
+#include "prosup/output/convergence.h"
 #include "prosup/output/summary.h"
 #include "prosup/pipeline/body_building.h"
 #include "prosup/pipeline/landmark_evaluation.h"
@@ -42,7 +44,7 @@ private:
   /// Gathers the unloaded meshes and takes their error.
   void evaluate(std::optional<evaluation::ErrorStatistics>& error);
   void record(const std::array<unloading::UnloadingResult, 2>& results);
-  void record(const std::vector<registration::SimilarityRecord>& history);
+  registration::Observer observer();
   void add_mesh_summaries();
 
   const Stages& stages_;
@@ -55,6 +57,7 @@ private:
   Inputs inputs_;
   MeshPair meshes_;
   std::array<mesh::UnloadedMesh, 2> unloaded_;
+  std::vector<output::ConvergenceEntry> convergence_;
   output::Summary summary_;
 };
 

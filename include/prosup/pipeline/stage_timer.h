@@ -21,6 +21,9 @@ public:
   /// Announces and runs a stage. Collective.
   void run(const std::string& name, const std::function<void()>& stage);
 
+  /// Runs what does not count as time of the run: looking at it from outside.
+  void set_aside(const std::function<void()>& work);
+
   double seconds(const std::string& name) const; ///< 0 for a stage that did not run
   double total() const;
 
@@ -36,6 +39,7 @@ private:
   MPI_Comm communicator_;
   const Log& log_;
   std::chrono::steady_clock::time_point start_;
+  double set_aside_ = 0.; // s
   std::vector<Stage> stages_;
 };
 

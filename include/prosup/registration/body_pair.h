@@ -41,13 +41,21 @@ private:
   std::array<int, 2> first_rank_{};
 };
 
+/// What the mechanics of a breast are not known well enough for, and may be found
+/// from its images.
+struct MechanicalProperties {
+  mechanics::TissueStiffness tissue;
+  /// Of the springs between the base and the chest wall, Pa/mm; 0 if there are none.
+  double chest_stiffness = 0.;
+};
+
 /// One state of the breast, where this rank works on it.
 struct BodyState {
   std::unique_ptr<mechanics::Body> body;
   std::unique_ptr<mechanics::Supports> supports;
   std::unique_ptr<unloading::Unloading> unloading;
   image::ScalarImage image; ///< loaded, intensities scaled to [0, 1]
-  /// Of each element, or a single one, Pa; as of BodyPair::set_material().
+  /// Of each element, or a single one, Pa; as of BodyPair::set_properties().
   std::vector<mechanics::LameParameters> material;
 };
 
@@ -66,7 +74,11 @@ public:
   /// Calls `work` for each state that this rank holds.
   void for_each(const std::function<void(State, BodyState&)>& work);
 
-  void set_material(const mechanics::TissueMaterial& material, double shear_modulus);
+  /// Gives both states the same tissue and the same bed.
+  void set_properties(const mechanics::TissueMaterial& material,
+                      const MechanicalProperties& properties);
+  bool has_gland(const mechanics::TissueMaterial& material) const;
+  const MechanicalProperties& properties() const { return properties_; }
 
   /// Runs both unloadings until settled, or for `n_steps` steps if not 0.
   std::array<unloading::UnloadingResult, 2> unload(unsigned n_steps = 0);
@@ -84,6 +96,7 @@ public:
 private:
   const RankSplit& ranks_;
   std::array<BodyState, 2> states_;
+  MechanicalProperties properties_;
 };
 
 } // namespace prosup::registration

@@ -3,6 +3,7 @@
 
 #include <deal.II/base/parameter_acceptor.h>
 
+#include <string>
 #include <vector>
 
 #include "prosup/core/log.h"
@@ -13,35 +14,45 @@
 namespace prosup::registration {
 
 struct MaterialUpdateResult {
-  double shear_modulus = 0.; ///< accepted, Pa
-  unsigned n_steps = 0;      ///< time steps of all trials
-  bool converged = true;     ///< of the accepted state
-  std::vector<SimilarityRecord> history;
+  unsigned n_steps = 0;  ///< time steps of all trials
+  unsigned n_trials = 0; ///< pairs of unloadings
+  bool converged = true; ///< of the accepted state
 };
 
-/// The paper's material optimisation: multiplies the shear modulus (and with
-/// it lambda) by a constant factor, stiffer or softer, unloads both states
-/// again from where they are, and goes on while the similarity improves; the
-/// last, unsuccessful trial is discarded. Section "Material update".
+/// Finds the mechanical properties with which the unloaded images are most
+/// alike. Section "Material update".
+///
+/// search: Gauss-Newton steps (Levenberg, Marquardt) in logarithms q of the chosen
+/// properties. With residuals r_v whose squares sum to twice the similarity, and
+/// their differences in trials that start from the present state and change one
+/// property each, dr/dq_i, a step solves
+///   sum_j (H_ij + gamma H_ii delta_ij) dq_j = -g_i,
+///   H_ij = sum_v dr_v/dq_i dr_v/dq_j, g_i = sum_v r_v dr_v/dq_i,
+/// so that some trials per step find all properties at once, however they depend on
+/// each other.
+///
+/// stepwise: the paper's. Multiplies the shear modulus (and with it lambda) by a
+/// constant factor, stiffer or softer, and goes on while the similarity improves;
+/// the last, unsuccessful trial is discarded.
 class MaterialUpdate : public dealii::ParameterAcceptor {
 public:
   MaterialUpdate();
   void declare_parameters(dealii::ParameterHandler& prm) override;
 
-  /// The pair has to be unloaded with `shear_modulus` (Pa); is left unloaded
-  /// with the accepted one.
+  /// The pair has to be unloaded with its properties, and is left unloaded with
+  /// those that were found, `BodyPair::properties()`.
   MaterialUpdateResult run(BodyPair& pair, const SimilaritySetup& setup,
-                           const similarity::SimilarityDomain& domain,
-                           const mechanics::TissueMaterial& material, double shear_modulus,
-                           const Log& log) const;
-
-  /// Voxel edge of the grid on which the images are compared, mm.
-  double level() const { return level_; }
+                           const similarity::Scene& scene,
+                           const mechanics::TissueMaterial& material, const Log& log,
+                           const Observer& observer = {}) const;
 
 private:
-  double factor_ = 1.1;
+  std::string method_;
+  std::vector<std::string> properties_;
+  std::vector<double> levels_{8., 4.};
   unsigned max_steps_ = 20;
-  double level_ = 4.;
+  double least_gain_ = 0.01;
+  double factor_ = 1.1;
 };
 
 } // namespace prosup::registration

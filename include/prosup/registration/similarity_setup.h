@@ -4,6 +4,7 @@
 #include <deal.II/base/parameter_acceptor.h>
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,15 +15,18 @@
 
 namespace prosup::registration {
 
-/// One value of the similarity along a registration.
+/// A state along a registration.
 struct SimilarityRecord {
   std::string stage;
   double level = 0.; ///< voxel edge of the similarity grid, mm
   unsigned iteration = 0;
-  double shear_modulus = 0.; ///< Pa
-  double force_weight = 0.;  ///< kappa, Pa; 0 where no image force acts
-  double value = 0.;
+  double force_weight = 0.; ///< kappa, Pa; 0 where no image force acts
+  double value = 0.;        ///< of the metric
 };
+
+/// Told of each state that a registration goes on from, when the pair has it, on
+/// all ranks.
+using Observer = std::function<void(const SimilarityRecord&)>;
 
 /// What is compared and how, section "Similarity".
 class SimilarityParameters : public dealii::ParameterAcceptor {
@@ -41,6 +45,7 @@ public:
   /// @throws Error if there is no metric of the chosen name.
   SimilaritySetup(const SimilarityParameters& parameters, MPI_Comm world);
 
+  const std::string& metric() const { return parameters_.metric; }
   const similarity::ImageForce& force() const { return force_; }
 
   /// The domain with voxels of edge `level` mm around both unloaded meshes.

@@ -33,7 +33,10 @@ struct SimilarityDomain {
 /// The nodal positions by which the value is derived while the others are held.
 enum class Variable {
   displacement, ///< u at fixed X: dP(X_v) = grad_x P . N_a du_a
-  unloaded      ///< X at fixed x: dP(X_v) = -(F^T grad_x P) . N_a dX_a, exact for linear cells
+  /// The paper's F f of eq. 15, f having the gradient of the unloaded image
+  /// grad_X P = F^T grad_x P: not the derivative by u but where F F^T = I.
+  transformed_displacement,
+  unloaded ///< X at fixed x: dP(X_v) = -(F^T grad_x P) . N_a dX_a, exact for linear cells
 };
 
 /// The dissimilarity of a pair and its forces.
@@ -69,6 +72,14 @@ public:
                             const std::array<LoadedState, 2>& states,
                             Variable variable = Variable::displacement,
                             bool with_stiffness = false) const;
+
+  /// The value alone.
+  double value(const SimilarityDomain& domain, const std::array<LoadedState, 2>& states) const;
+
+  /// (dS/dP_v)/(d^2S/dP_v^2)^1/2 of all voxels, on every rank: for the SSD h^{3/2} (P - S),
+  /// whose squares add up to twice the value.
+  std::vector<float> residuals(const SimilarityDomain& domain,
+                               const std::array<LoadedState, 2>& states) const;
 
   /// The two warped images, on every rank, for pictures and other measures.
   WarpedPair warp(const SimilarityDomain& domain, const std::array<LoadedState, 2>& states) const;

@@ -40,6 +40,11 @@ public:
     return chest != ChestCondition::fixed || cut_planes_ == "sliding";
   }
 
+  /// Of the springs on the chest wall, Pa/mm; 0 where the tissue is held on it.
+  double chest_stiffness(ChestCondition chest) const {
+    return chest == ChestCondition::fixed ? 0. : chest_stiffness_;
+  }
+
   bool need_other_labels() const { return cut_planes_ == "common"; }
 
   double contact_stiffness = 5e4; ///< of Newton's penalty, Pa/mm

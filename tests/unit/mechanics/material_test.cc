@@ -54,7 +54,7 @@ TEST(NeoHookean, InvertedDeformationIsAnError) {
 
 TEST(TissueMaterial, OneMaterialGivesOneEntryAndFactorsGiveOneEach) {
   TissueMaterial material;
-  EXPECT_EQ(material.parameters_of({2, 3, 2}, 100.).size(), 1u);
+  EXPECT_EQ(material.parameters_of({2, 3, 2}, {100., 0.4, 1.}).size(), 1u);
 
   dealii::ParameterHandler prm;
   dealii::ParameterAcceptor::declare_all_parameters(prm);
@@ -62,9 +62,15 @@ TEST(TissueMaterial, OneMaterialGivesOneEntryAndFactorsGiveOneEach) {
   prm.set("Stiffness factors", "2: 1, 3: 3");
   prm.leave_subsection();
   dealii::ParameterAcceptor::parse_all_parameters(prm);
-  const auto parameters = material.parameters_of({2, 3, 2}, 100.);
+  const auto parameters = material.parameters_of({2, 3, 2}, {100., 0.4, 1.});
   ASSERT_EQ(parameters.size(), 3u);
   EXPECT_DOUBLE_EQ(parameters[0].mu, 100.);
   EXPECT_DOUBLE_EQ(parameters[1].mu, 300.);
-  EXPECT_THROW(material.parameters_of({4}, 100.), prosup::Error);
+  EXPECT_TRUE(material.has_gland({2, 3}));
+  EXPECT_FALSE(material.has_gland({2, 2}));
+  const auto stiffer = material.parameters_of({2, 3}, {100., 0.45, 1.5});
+  EXPECT_DOUBLE_EQ(stiffer[0].mu, 100.);
+  EXPECT_DOUBLE_EQ(stiffer[1].mu, 450.);
+  EXPECT_NEAR(stiffer[1].lambda, 9. * 450., 1e-9);
+  EXPECT_THROW(material.parameters_of({4}, {100., 0.4, 1.}), prosup::Error);
 }

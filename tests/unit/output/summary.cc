@@ -92,7 +92,7 @@ TEST(Summary, HoldsTheAgreedEntries) {
       "stage": "image_forces",
       "level_mm": 4.0,
       "iteration": 7,
-      "ssd": 0.5
+      "value": 0.5
     }
   ]
 }
@@ -128,7 +128,7 @@ TEST(Summary, RefusesNumbersThatAreNotFinite) {
   expect_refused(summary, "min_jacobian.supine");
   summary = complete_summary();
   summary.similarity.push_back({"material", 4., 1, not_a_number});
-  expect_refused(summary, "similarity.1.ssd");
+  expect_refused(summary, "similarity.1.value");
 }
 
 TEST(Summary, FileThatCannotBeWrittenIsNamed) {

@@ -68,6 +68,65 @@ TEST(ImageForce, IsMinusTheDerivativeOfTheSsd) {
   }
 }
 
+TEST(ImageForce, ByUnloadedPositionsIsMinusTheDerivativeOfTheSsd) {
+  const auto value_moved_unloaded = [](unsigned state, double distance) {
+    TexturedPair pair(stretched, flattened);
+    for (unsigned node = 0; node < pair.bodies[state]->n_local_nodes(); ++node) {
+      const Tensor<1, 3> way = direction(Point<3>(node_value(pair.unloaded[state], node)));
+      for (unsigned c = 0; c < 3; ++c)
+        pair.unloaded[state].local_element(3 * node + c) += distance * way[c];
+    }
+    return ImageForce(make_metric("ssd"), MPI_COMM_WORLD)
+        .value(TexturedPair::domain(2., 0), pair.states());
+  };
+  const TexturedPair pair(stretched, flattened);
+  const SimilarityResult result =
+      ImageForce(make_metric("ssd"), MPI_COMM_WORLD)
+          .evaluate(TexturedPair::domain(2., 0), pair.states(), similarity::Variable::unloaded);
+  for (const unsigned state : {0u, 1u}) {
+    double work = 0.;
+    for (unsigned node = 0; node < pair.bodies[state]->n_owned_nodes(); ++node)
+      work += node_value(result.forces[state], node) *
+              direction(Point<3>(node_value(pair.unloaded[state], node)));
+    work = Utilities::MPI::sum(work, MPI_COMM_WORLD);
+    // Few voxels change sides in so small a move, but at the boundary they do.
+    const double step = 1e-3;
+    const double slope =
+        (value_moved_unloaded(state, step) - value_moved_unloaded(state, -step)) / (2. * step);
+    EXPECT_NEAR(work, -slope, 0.02 * std::abs(slope)) << "state " << state;
+    EXPECT_GT(std::abs(slope), 1.);
+  }
+}
+
+TEST(ImageForce, StiffnessIsTheSquareOfTheGradients) {
+  // d^T H d = sum_v h^3 (grad P . d)^2 = what the residual changes by, squared.
+  const TexturedPair pair(stretched, stretched);
+  const auto domain = TexturedPair::domain(2., 0);
+  const ImageForce force(make_metric("ssd"), MPI_COMM_WORLD);
+  const SimilarityResult result =
+      force.evaluate(domain, pair.states(), similarity::Variable::displacement, true);
+  const double step = 1e-3;
+  const TexturedPair moved([=](const Point<3>& X) { return stretched(X) + step * direction(X); },
+                           stretched);
+  const auto before = force.residuals(domain, pair.states()),
+             after = force.residuals(domain, moved.states());
+  double expected = 0., found = 0.;
+  for (std::size_t v = 0; v < before.size(); ++v)
+    expected += std::pow((after[v] - before[v]) / step, 2);
+  for (std::size_t cell = 0; cell < result.stiffness[0].size(); ++cell) {
+    unsigned entry = 0;
+    for (unsigned a = 0; a < 4; ++a)
+      for (unsigned b = a; b < 4; ++b, ++entry) {
+        const auto way = [&](unsigned corner) {
+          return direction(
+              Point<3>(node_value(pair.unloaded[0], pair.bodies[0]->cells()[cell][corner])));
+        };
+        found += (a == b ? 1. : 2.) * (way(a) * (result.stiffness[0][cell][entry] * way(b)));
+      }
+  }
+  EXPECT_NEAR(Utilities::MPI::sum(found, MPI_COMM_WORLD), expected, 0.01 * expected);
+}
+
 TEST(ImageForce, NodalForcesSumToTheVoxelForces) {
   const TexturedPair pair(stretched, flattened);
   const auto domain = TexturedPair::domain(2., 1);

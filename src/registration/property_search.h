@@ -1,0 +1,21 @@
+#ifndef PROSUP_REGISTRATION_PROPERTY_SEARCH_H
+#define PROSUP_REGISTRATION_PROPERTY_SEARCH_H
+
+#include <string>
+#include <vector>
+
+#include "property_trials.h"
+
+namespace prosup::registration {
+
+/// The properties that can be searched for, by name.
+const std::vector<std::string>& property_names();
+
+/// MaterialUpdate's search on one level, for some of property_names(), of which
+/// those are left out that the scene does not have.
+void search_properties(const std::vector<std::string>& names, PropertyTrials& trials,
+                       bool has_gland, unsigned max_steps, double least_gain);
+
+} // namespace prosup::registration
+
+#endif

@@ -1,0 +1,66 @@
+#include "property_trials.h"
+
+#include "prosup/core/error.h"
+
+namespace prosup::registration {
+
+PropertyTrials::PropertyTrials(BodyPair& pair, const SimilaritySetup& setup,
+                               const similarity::Scene& scene,
+                               const mechanics::TissueMaterial& material, double level,
+                               const Log& log, const Observer& observer,
+                               MaterialUpdateResult& result)
+    : pair_(pair), setup_(setup), material_(material), level_(level), log_(log),
+      observer_(observer), result_(result), domain_(setup.domain(pair, scene, level)),
+      images_(setup.images(pair, level)), best_value_(value()), best_properties_(pair.properties()),
+      best_(pair.save()) {
+  report(best_value_);
+}
+
+bool PropertyTrials::unload(const MechanicalProperties& properties) {
+  ++result_.n_trials;
+  try {
+    pair_.set_properties(material_, properties);
+    const auto unloaded = pair_.unload();
+    result_.n_steps += unloaded[0].n_steps + unloaded[1].n_steps;
+    converged_ = unloaded[0].converged && unloaded[1].converged;
+    return true;
+  } catch (const Error& error) {
+    log_.line(std::string("  trial rejected: ") + error.what());
+    return false;
+  }
+}
+
+double PropertyTrials::value() const {
+  return setup_.force().value(domain_, pair_.loaded_states(images_));
+}
+
+std::vector<float> PropertyTrials::residuals() const {
+  return setup_.force().residuals(domain_, pair_.loaded_states(images_));
+}
+
+void PropertyTrials::accept(double value) {
+  best_value_ = value;
+  best_properties_ = pair_.properties();
+  best_ = pair_.save();
+  result_.converged = converged_;
+  ++n_accepted_;
+  report(value);
+}
+
+void PropertyTrials::return_to_best() {
+  pair_.set_properties(material_, best_properties_);
+  pair_.restore(best_);
+}
+
+void PropertyTrials::report(double value) const {
+  const mechanics::TissueStiffness& tissue = pair_.properties().tissue;
+  std::string text = format("  level %g mm: mu %.1f Pa, nu %.3f, gland x %.2f", level_,
+                            tissue.shear_modulus, tissue.poisson_ratio, tissue.gland_ratio);
+  if (pair_.properties().chest_stiffness > 0.)
+    text += format(", chest %.2f Pa/mm", pair_.properties().chest_stiffness);
+  log_.line(text + format("; %s %.4g", setup_.metric().c_str(), value));
+  if (observer_)
+    observer_({"material", level_, n_accepted_, 0., value});
+}
+
+} // namespace prosup::registration
