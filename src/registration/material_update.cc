@@ -77,7 +77,8 @@ MaterialUpdateResult MaterialUpdate::run(BodyPair& pair, const SimilaritySetup& 
   }
   for (const double level : levels_) {
     PropertyTrials trials(pair, setup, scene, material, level, log, observer, result);
-    search_properties(properties_, trials, pair.has_gland(material), max_steps_, least_gain_);
+    search_properties(properties_, trials, pair.has_gland(material), max_steps_, least_gain_,
+                      level == levels_.back());
   }
   return result;
 }

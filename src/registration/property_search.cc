@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace prosup::registration {
 
@@ -47,33 +49,49 @@ constexpr double longest_step = 0.7; // of a logarithm, a factor of two
 class Search {
 public:
   Search(std::vector<const Variable*> variables, PropertyTrials& trials)
-      : variables_(std::move(variables)), trials_(trials) {}
+      : variables_(std::move(variables)), trials_(trials), residuals_(trials.residuals()) {}
 
+  bool is_exact() const { return is_exact_; }
+
+  /// Derivatives by differences, one trial each.
   void linearize() {
-    const std::vector<float> residuals = trials_.residuals();
-    const unsigned n = variables_.size();
-    std::vector<std::vector<float>> derivatives(n, std::vector<float>(residuals.size(), 0.f));
-    for (unsigned i = 0; i < n; ++i) {
+    derivatives_.assign(variables_.size(), std::vector<float>(residuals_.size(), 0.f));
+    for (unsigned i = 0; i < variables_.size(); ++i) {
       const double difference = variables_[i]->difference;
       if (trials_.unload(moved(i, difference))) {
-        derivatives[i] = trials_.residuals();
-        for (std::size_t v = 0; v < residuals.size(); ++v)
-          derivatives[i][v] = static_cast<float>((derivatives[i][v] - residuals[v]) / difference);
+        derivatives_[i] = trials_.residuals();
+        for (std::size_t v = 0; v < residuals_.size(); ++v)
+          derivatives_[i][v] =
+              static_cast<float>((derivatives_[i][v] - residuals_[v]) / difference);
       }
       trials_.return_to_best();
     }
-    curvature_.reinit(n, n);
-    slope_.reinit(n);
-    for (unsigned i = 0; i < n; ++i) {
-      for (std::size_t v = 0; v < residuals.size(); ++v)
-        slope_[i] += static_cast<double>(residuals[v]) * derivatives[i][v];
-      for (unsigned j = 0; j <= i; ++j) {
-        double sum = 0.;
-        for (std::size_t v = 0; v < residuals.size(); ++v)
-          sum += static_cast<double>(derivatives[i][v]) * derivatives[j][v];
-        curvature_(i, j) = curvature_(j, i) = sum;
-      }
+    is_exact_ = true;
+    set_equations();
+  }
+
+  /// Goes on from the present, better state, with derivatives that explain how the
+  /// residuals changed on the way there (Broyden's update).
+  void accept(double value) {
+    const MechanicalProperties before = trials_.best();
+    trials_.accept(value);
+    std::vector<double> way;
+    double squared_length = 0.;
+    for (const Variable* variable : variables_) {
+      way.push_back(variable->get(trials_.best()) - variable->get(before));
+      squared_length += way.back() * way.back();
     }
+    const std::vector<float> residuals = trials_.residuals();
+    for (std::size_t v = 0; v < residuals.size() && squared_length > 0.; ++v) {
+      double unexplained = residuals[v] - residuals_[v];
+      for (unsigned i = 0; i < way.size(); ++i)
+        unexplained -= derivatives_[i][v] * way[i];
+      for (unsigned i = 0; i < way.size(); ++i)
+        derivatives_[i][v] += static_cast<float>(unexplained * way[i] / squared_length);
+    }
+    residuals_ = residuals;
+    is_exact_ = false;
+    set_equations();
   }
 
   /// Where the damped step from the best state leads.
@@ -108,8 +126,25 @@ private:
     return properties;
   }
 
+  void set_equations() {
+    const unsigned n = variables_.size();
+    const auto product = [](const std::vector<float>& a, const std::vector<float>& b) {
+      return std::inner_product(a.begin(), a.end(), b.begin(), 0.);
+    };
+    curvature_.reinit(n, n);
+    slope_.reinit(n);
+    for (unsigned i = 0; i < n; ++i) {
+      slope_[i] = product(residuals_, derivatives_[i]);
+      for (unsigned j = 0; j < n; ++j)
+        curvature_(i, j) = product(derivatives_[i], derivatives_[j]);
+    }
+  }
+
   const std::vector<const Variable*> variables_;
   PropertyTrials& trials_;
+  std::vector<float> residuals_;                // of the best state
+  std::vector<std::vector<float>> derivatives_; // of the residuals by each variable
+  bool is_exact_ = false;
   FullMatrix<double> curvature_;
   Vector<double> slope_;
 };
@@ -127,7 +162,7 @@ const std::vector<std::string>& property_names() {
 }
 
 void search_properties(const std::vector<std::string>& names, PropertyTrials& trials,
-                       bool has_gland, unsigned max_steps, double least_gain) {
+                       bool has_gland, unsigned max_steps, double least_gain, bool to_the_end) {
   std::vector<const Variable*> chosen;
   for (const Variable& variable : variables()) {
     const std::string name = variable.name;
@@ -139,23 +174,29 @@ void search_properties(const std::vector<std::string>& names, PropertyTrials& tr
   if (chosen.empty())
     return;
   Search search(chosen, trials);
+  search.linearize();
   double damping = 1e-3;
-  for (unsigned i = 0; i < max_steps; ++i) {
-    search.linearize();
+  for (unsigned i = 0; i < max_steps;) {
     const double before = trials.best_value();
+    const bool was_exact = search.is_exact();
     bool improved = false;
-    for (unsigned attempt = 0; attempt < 4 && !improved; ++attempt) {
+    for (unsigned attempt = 0; attempt < (was_exact ? 4 : 1) && !improved; ++attempt) {
       const bool found = trials.unload(search.step(damping));
       const double value = found ? trials.value() : 0.;
       improved = found && value < before;
-      if (improved)
-        trials.accept(value);
-      else
-        trials.return_to_best();
       damping = improved ? 0.1 * damping : std::max(10. * damping, 0.1);
+      if (improved) {
+        search.accept(value);
+        ++i;
+      } else {
+        trials.return_to_best();
+      }
     }
-    if (!improved || before - trials.best_value() < least_gain * before)
+    if (before - trials.best_value() >= least_gain * before)
+      continue;
+    if (was_exact || !to_the_end)
       break;
+    search.linearize();
   }
 }
 

@@ -12,9 +12,11 @@ namespace prosup::registration {
 const std::vector<std::string>& property_names();
 
 /// MaterialUpdate's search on one level, for some of property_names(), of which
-/// those are left out that the scene does not have.
+/// those are left out that the scene does not have. Derivatives are brought up to date
+/// along the steps and found anew where these gain too little; unless the search is to
+/// go to the end, it stops there.
 void search_properties(const std::vector<std::string>& names, PropertyTrials& trials,
-                       bool has_gland, unsigned max_steps, double least_gain);
+                       bool has_gland, unsigned max_steps, double least_gain, bool to_the_end);
 
 } // namespace prosup::registration
 

@@ -28,8 +28,9 @@ struct MaterialUpdateResult {
 /// property each, dr/dq_i, a step solves
 ///   sum_j (H_ij + gamma H_ii delta_ij) dq_j = -g_i,
 ///   H_ij = sum_v dr_v/dq_i dr_v/dq_j, g_i = sum_v r_v dr_v/dq_i,
-/// so that some trials per step find all properties at once, however they depend on
-/// each other.
+/// which finds all properties at once, however they depend on each other. After a step
+/// the derivatives are corrected by what it changed (Broyden) and found anew only
+/// where steps gain too little.
 ///
 /// stepwise: the paper's. Multiplies the shear modulus (and with it lambda) by a
 /// constant factor, stiffer or softer, and goes on while the similarity improves;
