@@ -1,7 +1,6 @@
 #include <itkEuler3DTransform.h>
 #include <itkMattesMutualInformationImageToImageMetricv4.h>
-#include <itkPowellOptimizerv4.h>
-#include <itkTranslationTransform.h>
+#include <itkPowellOptimizer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,8 +24,8 @@ constexpr double tolerance = 0.01;   // mm
 constexpr double value_tolerance = 1e-6;
 constexpr unsigned n_iterations = 20;
 constexpr double fine_sigma = 0.7; // of the smoothing where voxels stay as they are, voxels
-// Space is measured in this length, so that 1 rad weighs as much as 1 translation.
-constexpr double lever = 50.; // mm
+constexpr double scan_step = 2.;   // mm
+constexpr unsigned n_candidates = 3;
 
 /// One step from coarse to fine.
 struct Level {
@@ -92,12 +91,6 @@ ScalarImage at_level(const ScalarImage& image, double edge) {
                              : gaussian_smooth(image, fine_sigma * edge);
 }
 
-VoxelGrid in_levers(VoxelGrid grid) {
-  grid.origin = Point<3>(grid.origin / lever);
-  grid.spacing /= lever;
-  return grid;
-}
-
 using Metric = itk::MattesMutualInformationImageToImageMetricv4<ItkImage<float>, ItkImage<float>>;
 
 Metric::Pointer make_metric(const ScalarImage& target, const ScalarImage& source,
@@ -107,7 +100,7 @@ Metric::Pointer make_metric(const ScalarImage& target, const ScalarImage& source
   for (std::size_t p = 0; p < points.size(); ++p) {
     Metric::FixedSampledPointSetType::PointType position;
     for (unsigned d = 0; d < 3; ++d)
-      position[d] = points[p][d] / lever;
+      position[d] = points[p][d];
     at->SetPoint(p, position);
   }
   auto metric = Metric::New();
@@ -124,110 +117,142 @@ Metric::Pointer make_metric(const ScalarImage& target, const ScalarImage& source
   return metric;
 }
 
-/// Maximises the information; `metric` has the best parameters in the end.
-void search(Metric& metric, double first_step) {
-  auto optimizer = itk::PowellOptimizerv4<double>::New();
-  optimizer->SetMetric(&metric);
-  optimizer->SetStepLength(first_step / lever);
-  optimizer->SetStepTolerance(tolerance / lever);
+/// Minus the information as a function of how far (mm) the source goes along the
+/// open motions.
+class Information : public itk::SingleValuedCostFunction {
+public:
+  using Self = Information;
+  using Pointer = itk::SmartPointer<Self>;
+
+  static Pointer New() {
+    const Pointer made = new Self;
+    made->UnRegister(); // the smart pointer holds it now
+    return made;
+  }
+
+  void set_images(const ScalarImage& target, const ScalarImage& source,
+                  const std::vector<Point<3>>& points) {
+    euler_ = itk::Euler3DTransform<double>::New();
+    metric_ = make_metric(target, source, points, euler_);
+  }
+
+  void set_motions(const RigidTransform& start, const std::vector<RigidMotion>& open) {
+    start_ = start;
+    open_ = open;
+  }
+
+  RigidTransform transform(const ParametersType& along) const {
+    RigidMotion motion;
+    for (unsigned m = 0; m < open_.size(); ++m)
+      motion.add(along[m], open_[m]);
+    return compose(motion.about(start_(start_.centre)), start_);
+  }
+
+  MeasureType GetValue(const ParametersType& along) const override {
+    // ITK's transforms lead from the target to the source.
+    const RigidTransform inverse = transform(along).inverse();
+    itk::Euler3DTransform<double>::OutputVectorType offset;
+    itk::Matrix<double, 3, 3> matrix;
+    const Point<3> at_zero = inverse(Point<3>());
+    for (unsigned d = 0; d < 3; ++d) {
+      offset[d] = at_zero[d];
+      for (unsigned e = 0; e < 3; ++e)
+        matrix(d, e) = inverse.rotation[d][e];
+    }
+    euler_->SetMatrix(matrix);
+    euler_->SetOffset(offset);
+    return metric_->GetValue();
+  }
+
+  void GetDerivative(const ParametersType&, DerivativeType&) const override {}
+  unsigned GetNumberOfParameters() const override { return unsigned(open_.size()); }
+
+private:
+  Metric::Pointer metric_;
+  itk::Euler3DTransform<double>::Pointer euler_;
+  RigidTransform start_;
+  std::vector<RigidMotion> open_;
+};
+
+using Along = Information::ParametersType;
+
+/// The minimum next to `along`.
+Along nearest_minimum(Information& information, const Along& along, double first_step) {
+  auto optimizer = itk::PowellOptimizer::New();
+  optimizer->SetCostFunction(&information);
+  optimizer->SetInitialPosition(along);
+  optimizer->SetStepLength(first_step);
+  optimizer->SetStepTolerance(tolerance);
   optimizer->SetValueTolerance(value_tolerance);
   optimizer->SetMaximumIteration(n_iterations);
   optimizer->StartOptimization();
-  auto best = optimizer->GetCurrentPosition();
-  metric.SetParameters(best);
+  return optimizer->GetCurrentPosition();
 }
 
-/// The way back of an ITK transform, which leads from the target to the source
-/// and measures in levers.
-RigidTransform back(const itk::Transform<double, 3, 3>& itk_transform, const Point<3>& centre) {
-  const auto apply = [&](const Point<3>& x) {
-    itk::Point<double, 3> scaled;
-    for (unsigned d = 0; d < 3; ++d)
-      scaled[d] = x[d] / lever;
-    const auto moved = itk_transform.TransformPoint(scaled);
-    return Point<3>(moved[0] * lever, moved[1] * lever, moved[2] * lever);
-  };
-  RigidTransform transform;
-  transform.centre = centre;
-  transform.translation = apply(centre) - centre;
-  for (unsigned e = 0; e < 3; ++e) {
-    Point<3> along = centre;
-    along[e] += 1.;
-    const Tensor<1, 3> column = apply(along) - apply(centre);
-    for (unsigned d = 0; d < 3; ++d)
-      transform.rotation[d][e] = column[d];
+/// Places within reach, those of least value first, and each at a distance from
+/// those before.
+std::vector<Along> candidates(const Information& information, double reach) {
+  std::vector<std::pair<double, Along>> places;
+  const unsigned n_motions = information.GetNumberOfParameters();
+  const int n = int(reach / scan_step), n_along = 2 * n + 1;
+  const auto n_places = unsigned(std::pow(n_along, n_motions) + 0.5);
+  for (unsigned place = 0; place < n_places; ++place) {
+    Along along(n_motions);
+    for (unsigned m = 0, rest = place; m < n_motions; ++m, rest /= unsigned(n_along))
+      along[m] = scan_step * (int(rest % unsigned(n_along)) - n);
+    places.emplace_back(information.GetValue(along), along);
   }
-  return transform.inverse();
-}
-
-/// What is compared at one level; the source lies where the transform found so
-/// far takes it.
-struct Comparison {
-  const ScalarImage& target;
-  ScalarImage source;
-  const std::vector<Point<3>>& points;
-  double first_step;
-};
-
-/// Calls `use` with the metric of a comparison for ITK's `motion`, which comes
-/// after the transform found so far.
-template <class Use>
-void with_metric(const RigidTransform& found, const Comparison& comparison,
-                 itk::Transform<double, 3, 3>* motion, const Use& use) {
-  ScalarImage source = comparison.source;
-  source.grid = in_levers(found(source.grid));
-  ScalarImage target = comparison.target;
-  target.grid = in_levers(target.grid);
-  use(*make_metric(target, source, comparison.points, motion));
-}
-
-double information(const RigidTransform& found, const Comparison& comparison) {
-  double value = 0.;
-  with_metric(found, comparison, itk::TranslationTransform<double, 3>::New(),
-              [&](Metric& metric) { value = -metric.GetValue(); });
-  return value;
-}
-
-/// Improves `found` with a motion that is the identity at first.
-void improve(RigidTransform& found, const Comparison& comparison,
-             itk::Transform<double, 3, 3>* motion) {
-  with_metric(found, comparison, motion,
-              [&](Metric& metric) { search(metric, comparison.first_step); });
-  found = compose(back(*motion, found.centre), found);
-}
-
-itk::Euler3DTransform<double>::Pointer motion_about(const Point<3>& centre) {
-  auto euler = itk::Euler3DTransform<double>::New();
-  itk::Point<double, 3> in_levers;
-  for (unsigned d = 0; d < 3; ++d)
-    in_levers[d] = centre[d] / lever;
-  euler->SetCenter(in_levers);
-  return euler;
+  std::sort(places.begin(), places.end(),
+            [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<Along> chosen;
+  for (const auto& [value, along] : places) {
+    const auto close = [&, &along = along](const Along& other) {
+      return (along - other).two_norm() < 2.5 * scan_step;
+    };
+    if (chosen.size() < n_candidates && std::none_of(chosen.begin(), chosen.end(), close))
+      chosen.push_back(along);
+  }
+  return chosen;
 }
 
 } // namespace
 
 IntensityAlignment align_intensities(const MaskedImage& target, const MaskedImage& source,
-                                     const RigidTransform& start, DegreesOfFreedom freedom) {
+                                     const RigidTransform& start,
+                                     const std::vector<RigidMotion>& open, double reach) {
   const std::size_t n_all = std::end(levels)[-1].n_points;
   const ScalarImage target_image = clamped(target.image, points_in(target.mask, n_all));
   const ScalarImage source_image = clamped(source.image, points_in(source.mask, n_all));
   IntensityAlignment result;
-  result.transform = start;
+  Along zero(unsigned(open.size()));
+  zero.fill(0.);
+  std::vector<Along> found{zero};
+  double least = 0.;
+  const auto information = Information::New();
+  information->set_motions(start, open);
   for (const Level& level : levels) {
     const ScalarImage target_level = at_level(target_image, level.edge);
-    const auto points = points_in(target.mask, level.n_points);
-    const Comparison comparison{target_level, at_level(source_image, level.edge), points,
-                                level.first_step};
-    // Rotations that are sought while the place is wrong lead astray.
-    improve(result.transform, comparison, itk::TranslationTransform<double, 3>::New());
-    if (freedom == DegreesOfFreedom::rigid)
-      improve(result.transform, comparison, motion_about(start.centre));
-    if (&level + 1 == std::end(levels)) {
-      result.information_before = information(start, comparison);
-      result.information_after = information(result.transform, comparison);
+    const ScalarImage source_level = at_level(source_image, level.edge);
+    information->set_images(target_level, source_level, points_in(target.mask, level.n_points));
+    if (open.empty())
+      continue;
+    if (&level == levels && reach > 0.)
+      found = candidates(*information, reach);
+    for (Along& along : found)
+      along = nearest_minimum(*information, along, level.first_step);
+  }
+  // Only the finest images tell bone from muscle well enough to choose.
+  Along best = zero;
+  result.information_before = -(least = information->GetValue(zero));
+  for (const Along& along : found) {
+    const double value = information->GetValue(along);
+    if (value < least && (reach == 0. || along.inf_norm() <= reach)) {
+      least = value;
+      best = along;
     }
   }
+  result.information_after = -least;
+  result.transform = information->transform(best);
   return result;
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 #include "prosup/core/error.h"
 #include "prosup/image/rigid_alignment.h"
@@ -25,7 +24,7 @@ constexpr double smallest_scale = 1.; // mm, of the weights: the stairs of a mas
 constexpr double lever = 50.;         // mm, that makes rotations comparable with translations
 // A direction of which the surfaces know less than this part of what they know
 // of the best one is taken as undetermined.
-constexpr double least_known = 0.01;
+constexpr double least_known = 0.03;
 
 using Motion = std::array<double, 6>; // rotation vector times lever, translation; mm
 
@@ -114,9 +113,19 @@ double median_distance(const std::vector<Residual>& residuals) {
   return *middle;
 }
 
+RigidMotion as_motion(const Motion& m) {
+  return {Tensor<1, 3>({m[0] / lever, m[1] / lever, m[2] / lever}),
+          Tensor<1, 3>({m[3], m[4], m[5]})};
+}
+
+struct Step {
+  RigidMotion motion;
+  double length = 0.; // mm
+  std::vector<RigidMotion> open;
+};
+
 /// The Gauss-Newton step in the directions that are determined.
-Motion best_step(const std::vector<Residual>& residuals, DegreesOfFreedom freedom,
-                 unsigned& n_undetermined) {
+Step best_step(const std::vector<Residual>& residuals, DegreesOfFreedom freedom) {
   const unsigned first = freedom == DegreesOfFreedom::translation ? 3 : 0, n = 6 - first;
   const double scale = std::max(smallest_scale, 2. * median_distance(residuals));
   LAPACKFullMatrix<double> normal(n, n);
@@ -134,38 +143,34 @@ Motion best_step(const std::vector<Residual>& residuals, DegreesOfFreedom freedo
   const double size = normal.frobenius_norm();
   normal.compute_eigenvalues_symmetric(-size, 2. * size, 1e-12 * size, values, vectors);
   const double largest = *std::max_element(values.begin(), values.end());
-  Motion step{};
-  n_undetermined = 0;
+  Step step;
   for (unsigned e = 0; e < n; ++e) {
+    Motion direction{};
+    double along = 0.;
+    for (unsigned a = 0; a < n; ++a) {
+      direction[first + a] = vectors(a, e);
+      along += vectors(a, e) * right[a] / values[e];
+    }
     if (values[e] < least_known * largest) {
-      ++n_undetermined;
+      step.open.push_back(as_motion(direction));
       continue;
     }
-    double along = 0.;
-    for (unsigned a = 0; a < n; ++a)
-      along += vectors(a, e) * right[a] / values[e];
-    for (unsigned a = 0; a < n; ++a)
-      step[first + a] += along * vectors(a, e);
+    step.motion.add(along, as_motion(direction));
+    step.length = std::hypot(step.length, along);
   }
   return step;
-}
-
-RigidTransform as_transform(const Motion& motion, const Point<3>& centre) {
-  RigidTransform transform;
-  transform.rotation =
-      rotation_about(Tensor<1, 3>({motion[0] / lever, motion[1] / lever, motion[2] / lever}));
-  transform.centre = centre;
-  transform.translation = Tensor<1, 3>({motion[3], motion[4], motion[5]});
-  return transform;
 }
 
 } // namespace
 
 SurfaceAlignment align_surfaces(const ScalarImage& target, const ScalarImage& source,
-                                DegreesOfFreedom freedom) {
+                                DegreesOfFreedom freedom, const RigidTransform& start) {
   const SurfacePair surfaces(target, source);
   SurfaceAlignment result;
-  result.transform.centre = surfaces.centre();
+  // The start, written about the centre of the surface.
+  RigidTransform unmoved;
+  unmoved.centre = start.inverse()(surfaces.centre());
+  result.transform = compose(start, unmoved);
   for (unsigned s = 0; s <= n_steps; ++s) {
     const std::vector<Residual> residuals = surfaces.residuals(result.transform);
     result.n_points = residuals.size();
@@ -177,11 +182,11 @@ SurfaceAlignment align_surfaces(const ScalarImage& target, const ScalarImage& so
     result.distance_after = median_distance(residuals);
     if (s == 0)
       result.distance_before = result.distance_after;
-    const Motion step = best_step(residuals, freedom, result.n_undetermined);
-    const double length = std::sqrt(std::inner_product(step.begin(), step.end(), step.begin(), 0.));
-    if (length < settled || s == n_steps)
+    Step step = best_step(residuals, freedom);
+    result.open = std::move(step.open);
+    if (step.length < settled || s == n_steps)
       break;
-    result.transform = compose(as_transform(step, surfaces.centre()), result.transform);
+    result.transform = compose(step.motion.about(surfaces.centre()), result.transform);
   }
   return result;
 }

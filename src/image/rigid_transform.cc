@@ -40,6 +40,14 @@ RigidTransform compose(const RigidTransform& outer, const RigidTransform& inner)
   return result;
 }
 
+RigidTransform RigidMotion::about(const Point<3>& centre) const {
+  RigidTransform transform;
+  transform.rotation = rotation_about(rotation);
+  transform.centre = centre;
+  transform.translation = translation;
+  return transform;
+}
+
 Tensor<2, 3> rotation_about(const Tensor<1, 3>& vector) {
   const double angle = vector.norm();
   const Tensor<1, 3> axis = vector / std::max(angle, 1e-300);

@@ -22,6 +22,7 @@ const std::vector<std::string>& freedom_names() {
   return names;
 }
 
+constexpr double sigma_voxels = 2.;
 constexpr double cover = 2.; // mm below the surface where moving tissue shines through
 
 /// The layer of a mask that lies from `cover` to `depth` below its surface.
@@ -40,8 +41,8 @@ void PreAlignment::declare_parameters(ParameterHandler& prm) {
   prm.add_parameter("Method", method_,
                     "What the supine chest wall is rigidly aligned by with the prone one. none: it "
                     "lies there already. chest surface: the surfaces of the chest labels. chest "
-                    "intensities: these first, then mutual information of the images in the chest "
-                    "wall, which also tells what slides along the surface. Units: none.",
+                    "intensities: these, and mutual information of the images in the chest wall "
+                    "for what the surfaces leave open. Units: none.",
                     Patterns::Selection("none|chest surface|chest intensities"));
   prm.add_parameter("Degrees of freedom", freedom_,
                     "What may be changed: translation, or rigid (rotation as well). Units: none.",
@@ -50,32 +51,51 @@ void PreAlignment::declare_parameters(ParameterHandler& prm) {
                     "Thickness of the layer below the surface of the chest label whose intensities "
                     "are compared: the chest wall with its ribs, and not the organs, which move. "
                     "Units: mm.",
-                    Patterns::Double(1., 1000.));
+                    Patterns::Double(3., 1000.));
+  prm.add_parameter(
+      "Reach", reach_,
+      "How far along the surface of the chest the intensities are searched; ribs look "
+      "alike after one distance from rib to rib, so that more than half of it is "
+      "risky. Units: mm.",
+      Patterns::Double(0., 100.));
 }
 
 Alignment PreAlignment::run(const ScalarImage& prone_image, const ScalarImage& supine_image,
                             const similarity::Scene& scene) const {
-  const auto freedom = enumerator<DegreesOfFreedom>(freedom_, freedom_names());
   std::array<LabelImage, 2> chest;
   std::array<ScalarImage, 2> distance;
   for (const auto state : {prone, supine}) {
-    chest[state] = image::select_labels(scene.labels[state], {scene.chest_label});
-    distance[state] = image::signed_distance(chest[state]);
+    distance[state] =
+        image::signed_distance(image::select_labels(scene.labels[state], {scene.chest_label}));
+    chest[state] = layer(distance[state], depth_);
+    // The stairs of the voxels would look like a shape that holds the surfaces.
+    distance[state] = image::gaussian_smooth(
+        distance[state], sigma_voxels * std::cbrt(distance[state].grid.voxel_volume()));
   }
   Alignment result;
   result.method = method_;
-  const bool by_intensities = method_ == "chest intensities";
-  // The surfaces may leave rotations open that go wrong a long way.
-  result.surface = image::align_surfaces(distance[prone], distance[supine],
-                                         by_intensities ? DegreesOfFreedom::translation : freedom);
-  result.transform = result.surface.transform;
-  if (by_intensities) {
-    for (const auto state : {prone, supine})
-      chest[state] = layer(distance[state], depth_);
-    result.intensities = image::align_intensities(
-        {prone_image, chest[prone]}, {supine_image, chest[supine]}, result.transform, freedom);
+  const auto align_surfaces = [&](DegreesOfFreedom freedom) {
+    result.surface =
+        image::align_surfaces(distance[prone], distance[supine], freedom, result.transform);
+    result.transform = result.surface.transform;
+  };
+  const auto align_intensities = [&](double reach) {
+    if (method_ == "chest surface")
+      return;
+    result.intensities =
+        image::align_intensities({prone_image, chest[prone]}, {supine_image, chest[supine]},
+                                 result.transform, result.surface.open, reach);
     result.transform = result.intensities->transform;
+  };
+  align_surfaces(DegreesOfFreedom::translation);
+  const double distance_before = result.surface.distance_before;
+  align_intensities(reach_);
+  if (freedom_ == "rigid") {
+    align_surfaces(DegreesOfFreedom::rigid);
+    align_surfaces(DegreesOfFreedom::translation);
+    align_intensities(0.);
   }
+  result.surface.distance_before = distance_before;
   return result;
 }
 
@@ -88,9 +108,9 @@ std::string describe(const Alignment& alignment) {
              "  chest surfaces: %.2f -> %.2f mm apart (median of %zu points)",
              shift[0], shift[1], shift[2], turn[0], turn[1], turn[2], surface.distance_before,
              surface.distance_after, surface.n_points);
-  if (surface.n_undetermined > 0)
-    text += format(", free to slide in %u direction%s", surface.n_undetermined,
-                   surface.n_undetermined == 1 ? "" : "s");
+  if (!surface.open.empty())
+    text += format(", free to slide in %zu direction%s", surface.open.size(),
+                   surface.open.size() == 1 ? "" : "s");
   if (intensities)
     text += format("\n  mutual information in the chest wall: %.3f -> %.3f",
                    intensities->information_before, intensities->information_after);

@@ -29,6 +29,21 @@ struct RigidTransform {
 /// x -> outer(inner(x)), about the centre of `inner`.
 RigidTransform compose(const RigidTransform& outer, const RigidTransform& inner);
 
+/// A small rigid motion, as a step of a search: a rotation vector, radians, and a
+/// translation, mm.
+struct RigidMotion {
+  Tensor<1, 3> rotation, translation;
+
+  RigidMotion& add(double factor, const RigidMotion& other) {
+    rotation += factor * other.rotation;
+    translation += factor * other.translation;
+    return *this;
+  }
+
+  /// Its rotation is about `centre`.
+  RigidTransform about(const Point<3>& centre) const;
+};
+
 /// The rotation about `vector` by its length, radians (Rodrigues' formula).
 Tensor<2, 3> rotation_about(const Tensor<1, 3>& vector);
 

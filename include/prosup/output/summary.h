@@ -1,6 +1,7 @@
 #ifndef PROSUP_OUTPUT_SUMMARY_H
 #define PROSUP_OUTPUT_SUMMARY_H
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -27,11 +28,22 @@ struct SimilarityEntry {
   double ssd = 0.;
 };
 
+/// How the supine chest was laid on the prone one.
+struct AlignmentSummary {
+  std::string method;
+  std::array<double, 3> translation;      ///< of the chest surface's centre, LPS, mm
+  std::array<double, 3> rotation_degrees; ///< axis times angle
+  double surface_before = 0.;             ///< median distance of the chest surfaces, mm
+  double surface_after = 0.;
+  std::optional<std::array<double, 2>> information; ///< mutual, before and after, nats
+};
+
 /// What `summary.json` holds of a run; what is not set is absent from it.
 struct Summary {
   std::string command;
   unsigned ranks = 1;
   std::optional<StateSummary> prone, supine;
+  std::optional<AlignmentSummary> alignment;
   std::optional<std::size_t> steps; ///< explicit time steps of all stages
   std::vector<SimilarityEntry> similarity;
 

@@ -22,9 +22,11 @@ struct Alignment {
 /// Rigid alignment of the chest walls before anything else, section
 /// "Pre-alignment". The paper takes it as done by hand, on chest wall and sternum.
 ///
-/// The surfaces of the chest labels come first. They leave open what slides along
-/// them (a chest that is a cylinder, its axis); the intensities of the chest wall,
-/// with its ribs, decide that.
+/// The surfaces of the chest labels come first: it is on them that the model holds
+/// the tissue. They leave open what slides along them (along and about the axis of a
+/// chest that is a cylinder); the intensities of the chest wall, with its ribs,
+/// decide that. Rotations come from the surfaces only: about the axis of a cylinder
+/// with oblique ribs, a rotation and a translation look the same.
 class PreAlignment : public dealii::ParameterAcceptor {
 public:
   PreAlignment();
@@ -42,6 +44,7 @@ private:
   std::string method_ = "none";
   std::string freedom_ = "rigid";
   double depth_ = 30.; ///< mm
+  double reach_ = 12.; ///< mm
 };
 
 /// One line on what was found.
