@@ -19,8 +19,10 @@ namespace {
 
 constexpr std::size_t n_points_needed = 2000;
 constexpr unsigned n_bins = 40;
-constexpr unsigned n_work_units = 4; // fixed: the order of sums decides the last digits
-constexpr double tolerance = 0.01;   // mm
+// One: the order of sums decides the last digits, and under MPI other ranks keep the
+// other cores busy.
+constexpr unsigned n_work_units = 1;
+constexpr double tolerance = 0.01; // mm
 constexpr double value_tolerance = 1e-6;
 constexpr unsigned n_iterations = 20;
 constexpr double fine_sigma = 0.7; // of the smoothing where voxels stay as they are, voxels

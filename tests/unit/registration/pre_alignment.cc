@@ -16,11 +16,11 @@ namespace {
 
 /// The sample, whose chest is the same in both images; its surface is a cylinder.
 struct Sample {
-  const std::string folder = PROSUP_TEST_DATA "/anthro1/";
+  const std::string folder = PROSUP_TEST_DATA "/small/";
   const image::ScalarImage prone = image::read_image(folder + "prone.nii.gz");
-  const image::ScalarImage supine = image::read_image(folder + "supine.nii.gz");
+  const image::ScalarImage supine = image::read_image(folder + "supine.nrrd");
   const image::LabelImage prone_labels = image::read_labels(folder + "prone_labels.nii.gz");
-  const image::LabelImage supine_labels = image::read_labels(folder + "supine_labels.nii.gz");
+  const image::LabelImage supine_labels = image::read_labels(folder + "supine_labels.mha");
 
   static const Sample& get() {
     static const Sample sample;
@@ -62,16 +62,16 @@ double largest_error(const RigidTransform& found, const RigidTransform& elsewher
 
 } // namespace
 
-// A fifth of a voxel is well below what a registration feels.
+// 0.3 mm is a tenth of a voxel.
 TEST(PreAlignment, FindsAnOffsetAlongTheSurfaceAndAcross) {
   PreAlignment method;
   set_parameters(method, "chest intensities", "translation");
   RigidTransform elsewhere;
   elsewhere.translation = Tensor<1, 3>({7., -8., 10.});
   const Alignment found = Sample::get().align(method, elsewhere);
-  EXPECT_LT(largest_error(found.transform, elsewhere), 0.2);
+  EXPECT_LT(largest_error(found.transform, elsewhere), 0.3);
   EXPECT_GT(found.surface.distance_before, 5.);
-  EXPECT_LT(found.surface.distance_after, 0.2);
+  EXPECT_LT(found.surface.distance_after, 0.3);
   ASSERT_EQ(found.surface.open.size(), 1u); // the axis of the cylinder
   EXPECT_NEAR(std::abs(found.surface.open[0].translation[2]), 1., 0.01);
   EXPECT_GT(found.intensities->information_after, found.intensities->information_before);
