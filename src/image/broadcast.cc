@@ -44,4 +44,10 @@ void broadcast(LabelImage& image, MPI_Comm communicator) {
   broadcast_image(image, MPI_UINT8_T, communicator);
 }
 
+void broadcast(RigidTransform& transform, MPI_Comm communicator) {
+  MPI_Bcast(transform.rotation.begin_raw(), 9, MPI_DOUBLE, 0, communicator);
+  MPI_Bcast(transform.centre.begin_raw(), 3, MPI_DOUBLE, 0, communicator);
+  MPI_Bcast(transform.translation.begin_raw(), 3, MPI_DOUBLE, 0, communicator);
+}
+
 } // namespace prosup::image

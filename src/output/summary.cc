@@ -37,6 +37,19 @@ void set_state(Json& json, const char* name, const std::optional<StateSummary>& 
   set(json["min_jacobian"], name, state->min_jacobian);
 }
 
+void set(Json& json, const char* name, const std::optional<AlignmentSummary>& alignment) {
+  if (!alignment)
+    return;
+  json[name] = {{"method", alignment->method},
+                {"translation", alignment->translation},
+                {"rotation_degrees", alignment->rotation_degrees},
+                {"surface_distance",
+                 {{"before", alignment->surface_before}, {"after", alignment->surface_after}}}};
+  if (alignment->information)
+    json[name]["mutual_information"] = {{"before", (*alignment->information)[0]},
+                                        {"after", (*alignment->information)[1]}};
+}
+
 Json as_json(const SimilarityEntry& entry) {
   return {{"stage", entry.stage},
           {"level_mm", entry.level_mm},
@@ -52,6 +65,7 @@ Json as_json(const Summary& summary) {
   json["converged"] = summary.converged;
   set_state(json, "prone", summary.prone);
   set_state(json, "supine", summary.supine);
+  set(json, "alignment", summary.alignment);
   set(json, "steps", summary.steps);
   set(json, "metric", summary.metric);
   set(json["material"], "shear_modulus", summary.shear_modulus);

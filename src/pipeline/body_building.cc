@@ -48,14 +48,20 @@ MeshPair build_bodies(const Stages& stages, Inputs& inputs, BodyPair& pair, cons
     state.supports =
         stages.supports.make(stages.scene.chest(), *state.body, inputs.scene.labels[which],
                              inputs.scene.labels[1 - which], stages.mesher.chest_label);
-    state.unloading = std::make_unique<unloading::Unloading>(stages.unloading, *state.supports,
-                                                             stages.scene.gravity[which],
-                                                             state_names[which], Log(group));
+    const Tensor<1, 3>& gravity = stages.scene.gravity[which];
+    state.unloading = std::make_unique<unloading::Unloading>(
+        stages.unloading, *state.supports,
+        which == supine ? inputs.alignment.rotation * gravity : gravity, state_names[which],
+        Log(group));
     state.image = std::move(inputs.images[which]);
   });
   const int rank = Utilities::MPI::this_mpi_process(ranks.world());
   if (rank == 0 || rank == ranks.first_rank(supine))
     transfer_mesh(meshes[supine], ranks.first_rank(supine), 0, ranks.world());
+  // Results are in the coordinates of the original images.
+  const image::RigidTransform to_supine = inputs.alignment.inverse();
+  for (Point<3>& point : meshes[supine].points)
+    point = to_supine(point);
   for (const State state : {prone, supine})
     log.line(format("  %s: %zu cells, %zu nodes", state_names[state], meshes[state].cells.size(),
                     meshes[state].points.size()));

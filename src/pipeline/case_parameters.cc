@@ -42,12 +42,20 @@ void CaseParameters::declare_parameters(ParameterHandler& prm) {
     prm.add_parameter(state + " labels", labels[s],
                       "Its labels on the same voxels: air, chest wall and muscle, fat, gland.",
                       Patterns::Anything());
+    prm.add_parameter(state + " excluded", excluded[s],
+                      "Mask on the same voxels: where it is not 0, the image gives no force, as "
+                      "at marker clips. May be empty.",
+                      Patterns::Anything());
     prm.add_parameter(state + " gravity", gravity[s],
                       "Direction of gravity, LPS. Units: none (its length does not matter).");
   }
   prm.add_parameter("Landmarks", landmarks,
                     "Landmarks for evaluation only, CSV: id,prone_x,...,supine_z. May be empty.",
                     Patterns::Anything());
+  prm.add_parameter("Supine offset", supine_offset,
+                    "Added to all supine coordinates (image, labels, landmarks) as they are read, "
+                    "as if the patient lay elsewhere: tells how much a misaligned chest matters. "
+                    "Units: mm.");
   prm.add_parameter("State", state_, "What the commands mesh, unload and load work on.",
                     Patterns::Selection("prone|supine"));
   prm.add_parameter("Chest", chest_,
@@ -72,7 +80,8 @@ unloading::ChestCondition CaseParameters::chest() const {
 
 void CaseParameters::resolve(const std::filesystem::path& folder, ParameterHandler& prm) {
   resolve_files(prm, get_section_name(),
-                {"Prone image", "Prone labels", "Supine image", "Supine labels", "Landmarks"},
+                {"Prone image", "Prone labels", "Prone excluded", "Supine image", "Supine labels",
+                 "Supine excluded", "Landmarks"},
                 folder);
 }
 

@@ -138,6 +138,22 @@ void add_map_options(CLI::App& command, MapRequest& request) {
   command.set_version_flag("--version", version());
 }
 
+void add_landmark_options(CLI::App& command, LandmarkRequest& request) {
+  command.add_option("--result", request.result, "Result folder of prosup register")->required();
+  command.add_option("OBSERVERS", request.observers, "Landmarks of one observer each, CSV")
+      ->required();
+  command.add_option("--control", request.control,
+                     "Supine landmarks of an observer who was shown the prone ones of the first: "
+                     "CSV (id,supine_x,... or id,x,y,z), .fcsv or .mrk.json");
+  command
+      .add_option("--exclude-above", request.exclude_above,
+                  "Landmarks that two observers place further apart are not reliable (mm)")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber);
+  command.add_option("-o,--output", request.output, "CSV file to write")->required();
+  command.set_version_flag("--version", version());
+}
+
 int report(const std::string& message, MPI_Comm world) {
   if (dealii::Utilities::MPI::this_mpi_process(world) == 0)
     std::fprintf(stderr, "prosup: %s\n", message.c_str());
@@ -173,9 +189,12 @@ int run_command_line(int argc, char** argv, MPI_Comm world) {
   app.require_subcommand(1);
   Options options;
   MapRequest map;
+  LandmarkRequest landmarks;
   for (const auto& [name, text] : commands_with_parameters)
     add_common_options(*app.add_subcommand(name, text), options);
   add_map_options(*app.add_subcommand("map", "Points from one state to another"), map);
+  add_landmark_options(
+      *app.add_subcommand("landmarks", "Errors at the landmarks of several observers"), landmarks);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& request) {
@@ -183,9 +202,12 @@ int run_command_line(int argc, char** argv, MPI_Comm world) {
   }
   try {
     const std::string command = app.get_subcommands().front()->get_name();
-    if (command != "map")
+    if (command == "map")
+      on_root(world, [&] { run_map(map); });
+    else if (command == "landmarks")
+      on_root(world, [&] { run_landmarks(landmarks); });
+    else
       return run_with_parameters(command, options, world);
-    on_root(world, [&] { run_map(map); });
     return success;
   } catch (const std::exception& error) {
     return report(error.what(), world);

@@ -30,7 +30,24 @@ float air_intensity(const ScalarImage& image, const LabelImage& labels) {
   return values[values.size() / 2];
 }
 
+/// Puts what was read of one state where the case says it lies.
+template <typename T>
+image::VoxelImage<T> placed(image::VoxelImage<T> image, const CaseParameters& parameters,
+                            unsigned state) {
+  if (state == similarity::supine)
+    image.grid.origin += parameters.supine_offset;
+  return image;
+}
+
 } // namespace
+
+void Inputs::align_supine(const image::RigidTransform& to_prone) {
+  alignment = to_prone;
+  for (image::VoxelGrid* grid :
+       {&images[similarity::supine].grid, &scene.labels[similarity::supine].grid,
+        &scene.excluded[similarity::supine].grid})
+    *grid = to_prone(*grid);
+}
 
 InputReader::InputReader(const mesh::MaskMesher& mesher)
     : ParameterAcceptor("Images"), mesher_(mesher) {}
@@ -54,8 +71,9 @@ double InputReader::isotropic_edge(const image::VoxelGrid& grid) const {
   return longest <= largest_anisotropy * shortest ? 0. : std::max(voxel_edge_, shortest);
 }
 
-LabelImage InputReader::checked_labels(const std::string& file) const {
-  LabelImage labels = image::read_labels(file);
+LabelImage InputReader::checked_labels(const CaseParameters& parameters, unsigned state) const {
+  const std::string& file = parameters.labels[state];
+  LabelImage labels = placed(image::read_labels(file), parameters, state);
   if (std::all_of(labels.values.begin(), labels.values.end(),
                   [](std::uint8_t label) { return label == 0; }))
     throw Error("The label image '" + file +
@@ -71,7 +89,7 @@ LabelImage InputReader::checked_labels(const std::string& file) const {
 
 LabelImage InputReader::read_labels(const CaseParameters& parameters, unsigned state) const {
   parameters.require_labels(state);
-  LabelImage labels = checked_labels(parameters.labels[state]);
+  LabelImage labels = checked_labels(parameters, state);
   const double edge = isotropic_edge(labels.grid);
   return edge > 0. ? image::resample_isotropic(labels, edge) : labels;
 }
@@ -79,7 +97,7 @@ LabelImage InputReader::read_labels(const CaseParameters& parameters, unsigned s
 OriginalImage InputReader::read_original(const CaseParameters& parameters, unsigned state,
                                          const LabelImage& labels) const {
   const std::string& file = parameters.images[state];
-  ScalarImage image = image::read_image(file);
+  ScalarImage image = placed(image::read_image(file), parameters, state);
   image::check_labels_fit(image, labels, file, parameters.labels[state]);
   return {std::move(image), image::select_labels(labels, mesher_.tissue_labels)};
 }
@@ -88,11 +106,25 @@ std::optional<OriginalImage> InputReader::read_image(const CaseParameters& param
                                                      unsigned state) const {
   if (parameters.images[state].empty())
     return {};
-  return read_original(parameters, state, image::read_labels(parameters.labels[state]));
+  return read_original(parameters, state,
+                       placed(image::read_labels(parameters.labels[state]), parameters, state));
+}
+
+LabelImage InputReader::read_excluded(const CaseParameters& parameters, unsigned state,
+                                      const ScalarImage& image) const {
+  const std::string& file = parameters.excluded[state];
+  if (file.empty())
+    return {};
+  LabelImage mask = placed(image::read_labels(file), parameters, state);
+  image::check_labels_fit(image, mask, parameters.images[state], file);
+  for (std::uint8_t& value : mask.values)
+    value = value != 0;
+  const double edge = isotropic_edge(mask.grid);
+  return edge > 0. ? image::resample_isotropic(mask, edge) : mask;
 }
 
 void InputReader::prepare(const CaseParameters& parameters, unsigned state, Inputs& inputs) const {
-  LabelImage labels = checked_labels(parameters.labels[state]);
+  LabelImage labels = checked_labels(parameters, state);
   inputs.originals[state] = read_original(parameters, state, labels);
   const auto& [original, breast] = inputs.originals[state];
   const image::IntensityRange range =
@@ -106,6 +138,7 @@ void InputReader::prepare(const CaseParameters& parameters, unsigned state, Inpu
   }
   inputs.scene.air[state] = air_intensity(scaled, labels);
   inputs.scene.labels[state] = std::move(labels);
+  inputs.scene.excluded[state] = read_excluded(parameters, state, original);
 }
 
 Inputs InputReader::read_pair(const CaseParameters& parameters, MPI_Comm communicator) const {
@@ -120,6 +153,7 @@ Inputs InputReader::read_pair(const CaseParameters& parameters, MPI_Comm communi
     image::broadcast(inputs.originals[state].image, communicator);
     image::broadcast(inputs.images[state], communicator);
     image::broadcast(inputs.scene.labels[state], communicator);
+    image::broadcast(inputs.scene.excluded[state], communicator);
   }
   MPI_Bcast(inputs.scene.air.data(), 2, MPI_FLOAT, 0, communicator);
   return inputs;

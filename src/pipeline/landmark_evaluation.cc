@@ -7,9 +7,13 @@ namespace prosup::pipeline {
 
 using evaluation::ErrorStatistics;
 
-void LandmarkEvaluation::read(const std::string& file) {
-  if (!file.empty())
-    landmarks_ = evaluation::read_landmarks(file);
+void LandmarkEvaluation::read(const CaseParameters& parameters) {
+  if (parameters.landmarks.empty())
+    return;
+  landmarks_ = evaluation::read_landmarks(parameters.landmarks);
+  supine_offset_ = parameters.supine_offset;
+  for (evaluation::Landmark& landmark : landmarks_)
+    landmark.supine += supine_offset_;
 }
 
 std::optional<ErrorStatistics> LandmarkEvaluation::initial() const {
@@ -36,8 +40,11 @@ std::optional<ErrorStatistics> LandmarkEvaluation::evaluate(unsigned state,
   std::vector<double> errors;
   for (const evaluation::Landmark& landmark : landmarks_)
     if (landmark.unloaded)
-      errors.push_back(mapper.to_unloaded(state == 0 ? landmark.prone : landmark.supine)
-                           .distance(*landmark.unloaded));
+      // The true unloaded shape of a supine breast that lies elsewhere does so too.
+      errors.push_back(
+          state == 0
+              ? mapper.to_unloaded(landmark.prone).distance(*landmark.unloaded)
+              : mapper.to_unloaded(landmark.supine).distance(*landmark.unloaded + supine_offset_));
   if (errors.empty())
     return {};
   return evaluation::statistics(std::move(errors));

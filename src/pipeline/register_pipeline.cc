@@ -12,6 +12,7 @@
 #include "prosup/mesh/quality.h"
 #include "prosup/output/pictures.h"
 #include "prosup/output/vtu.h"
+#include "prosup/pipeline/chest_alignment.h"
 #include "prosup/pipeline/result_images.h"
 
 namespace prosup::pipeline {
@@ -24,6 +25,7 @@ namespace {
 
 namespace stage {
 constexpr const char* read = "Reading images";
+constexpr const char* align = "Aligning chests";
 constexpr const char* mesh = "Meshing";
 constexpr const char* unloading = "Unloading";
 constexpr const char* material = "Material update";
@@ -57,6 +59,8 @@ bool RegisterPipeline::run(const std::filesystem::path& output) {
   on_root(ranks_.world(), [&] { folder = std::make_unique<ResultFolder>(output); });
 
   timer_.run(stage::read, [&] { read(); });
+  if (stages_.pre_alignment.wanted())
+    timer_.run(stage::align, [&] { align(); });
   timer_.run(stage::mesh, [&] { build(); });
   timer_.run(stage::unloading, [&] { unload(); });
   timer_.run(stage::material, [&] { update_material(); });
@@ -81,9 +85,13 @@ bool RegisterPipeline::run(const std::filesystem::path& output) {
 }
 
 void RegisterPipeline::read() {
-  on_root(ranks_.world(), [&] { landmarks_.read(stages_.scene.landmarks); });
+  on_root(ranks_.world(), [&] { landmarks_.read(stages_.scene); });
   inputs_ = stages_.inputs.read_pair(stages_.scene, ranks_.world());
   summary_.tre.initial = landmarks_.initial();
+}
+
+void RegisterPipeline::align() {
+  summary_.alignment = align_chests(stages_.pre_alignment, inputs_, log_, ranks_.world());
 }
 
 void RegisterPipeline::build() {

@@ -64,7 +64,7 @@ bool SingleStateJob::run(const dealii::ParameterHandler& parameters, const fs::p
 }
 
 void SingleStateJob::read() {
-  landmarks_.read(stages_.scene.landmarks);
+  landmarks_.read(stages_.scene);
   labels_ = stages_.inputs.read_labels(stages_.scene, state_);
   if (!stages_.scene.labels[1 - state_].empty() && stages_.supports.need_other_labels())
     other_labels_ = stages_.inputs.read_labels(stages_.scene, 1 - state_);

@@ -132,3 +132,10 @@ TEST_F(Input, BreastThatNothingHolds) {
     expect_refused(registering({"--prone-labels", file, "--chest", chest}),
                    {"holds", "Supports/Cut planes"});
 }
+
+TEST_F(Input, ExcludedRegionOnOtherVoxels) {
+  const std::string mask =
+      changed_labels([](image::LabelImage& labels) { labels.grid.origin[0] += 5.; });
+  const Arguments wrong = registering({"--set", "Case/Prone excluded=" + mask});
+  expect_refused(wrong, {"labels.nrrd", "origin"});
+}

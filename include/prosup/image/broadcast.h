@@ -3,6 +3,7 @@
 
 #include <mpi.h>
 
+#include "prosup/image/rigid_transform.h"
 #include "prosup/image/voxel_image.h"
 
 namespace prosup::image {
@@ -10,6 +11,9 @@ namespace prosup::image {
 /// Copies the image of rank 0 to all ranks of the communicator.
 void broadcast(ScalarImage& image, MPI_Comm communicator);
 void broadcast(LabelImage& image, MPI_Comm communicator);
+
+/// The same for a transform.
+void broadcast(RigidTransform& transform, MPI_Comm communicator);
 
 } // namespace prosup::image
 

@@ -1,6 +1,7 @@
 #ifndef PROSUP_OUTPUT_SUMMARY_H
 #define PROSUP_OUTPUT_SUMMARY_H
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -27,6 +28,16 @@ struct SimilarityEntry {
   double value = 0.; ///< of the metric
 };
 
+/// How the supine chest was laid on the prone one.
+struct AlignmentSummary {
+  std::string method;
+  std::array<double, 3> translation;      ///< of the chest surface's centre, LPS, mm
+  std::array<double, 3> rotation_degrees; ///< axis times angle
+  double surface_before = 0.;             ///< median distance of the chest surfaces, mm
+  double surface_after = 0.;
+  std::optional<std::array<double, 2>> information; ///< mutual, before and after, nats
+};
+
 /// What `summary.json` holds of a run; what is not set is absent from it.
 struct Summary {
   std::string command;
@@ -34,6 +45,8 @@ struct Summary {
   std::optional<StateSummary> prone, supine;
   std::optional<std::size_t> steps;  ///< explicit time steps of all stages
   std::optional<std::string> metric; ///< of the similarity
+  std::optional<AlignmentSummary> alignment;
+  std::optional<std::size_t> steps; ///< explicit time steps of all stages
   std::vector<SimilarityEntry> similarity;
 
   std::optional<double> shear_modulus; ///< Pa

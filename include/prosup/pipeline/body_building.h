@@ -13,7 +13,8 @@
 
 namespace prosup::pipeline {
 
-/// Meshes of both states, whole, on rank 0 of all ranks.
+/// Meshes of both states, whole, on rank 0 of all ranks; in the coordinates of the
+/// original images.
 using MeshPair = std::array<mesh::TetMesh, 2>;
 
 /// Sets up a body of the chosen elements from a mesh on rank 0, which becomes

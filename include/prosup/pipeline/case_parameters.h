@@ -37,7 +37,9 @@ public:
 
   std::array<std::string, 2> images; ///< prone, supine
   std::array<std::string, 2> labels;
+  std::array<std::string, 2> excluded; ///< masks of what gives no image force, or empty
   std::array<dealii::Tensor<1, 3>, 2> gravity;
+  dealii::Tensor<1, 3> supine_offset; ///< mm
   std::string landmarks;
 
 private:

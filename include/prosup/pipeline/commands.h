@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "prosup/pipeline/stages.h"
 
@@ -39,6 +40,19 @@ struct MapRequest {
 /// `prosup map`: points from one state to another with a finished registration.
 /// For one rank.
 void run_map(const MapRequest& request);
+
+/// What `prosup landmarks` is asked for.
+struct LandmarkRequest {
+  std::filesystem::path result; ///< folder of a finished registration
+  std::vector<std::filesystem::path> observers;
+  std::filesystem::path control; ///< may be empty
+  double exclude_above = 10.;    ///< mm, as in the paper
+  std::filesystem::path output;
+};
+
+/// `prosup landmarks`: errors of a finished registration at the landmarks of
+/// several observers, and how far these agree. For one rank.
+void run_landmarks(const LandmarkRequest& request);
 
 } // namespace prosup::pipeline
 

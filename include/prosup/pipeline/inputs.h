@@ -7,6 +7,7 @@
 #include <array>
 #include <optional>
 
+#include "prosup/image/rigid_transform.h"
 #include "prosup/image/voxel_image.h"
 #include "prosup/mesh/mask_mesher.h"
 #include "prosup/pipeline/case_parameters.h"
@@ -20,11 +21,16 @@ struct OriginalImage {
   image::LabelImage breast;
 };
 
-/// The images of a case, ready for use.
+/// The images of a case, ready for use. The originals stay in the coordinates in
+/// which they were read; all else lies in those of the prone image.
 struct Inputs {
   std::array<OriginalImage, 2> originals;   ///< images on all ranks, masks on rank 0
   std::array<image::ScalarImage, 2> images; ///< isotropic, scaled to [0, 1]
   similarity::Scene scene;                  ///< isotropic labels
+  image::RigidTransform alignment;          ///< from supine coordinates to prone ones
+
+  /// Moves the supine image and labels, without resampling.
+  void align_supine(const image::RigidTransform& to_prone);
 };
 
 /// Reads and prepares images and label images, section "Images".
@@ -49,7 +55,9 @@ private:
   OriginalImage read_original(const CaseParameters& parameters, unsigned state,
                               const image::LabelImage& labels) const;
   void prepare(const CaseParameters& parameters, unsigned state, Inputs& inputs) const;
-  image::LabelImage checked_labels(const std::string& file) const;
+  image::LabelImage checked_labels(const CaseParameters& parameters, unsigned state) const;
+  image::LabelImage read_excluded(const CaseParameters& parameters, unsigned state,
+                                  const image::ScalarImage& image) const;
   double isotropic_edge(const image::VoxelGrid& grid) const;
 
   double voxel_edge_ = 1.;

@@ -10,6 +10,7 @@
 #include "prosup/evaluation/landmarks.h"
 #include "prosup/evaluation/target_registration_error.h"
 #include "prosup/mesh/tet_mesh.h"
+#include "prosup/pipeline/case_parameters.h"
 
 namespace prosup::pipeline {
 
@@ -17,8 +18,8 @@ namespace prosup::pipeline {
 /// stages. Nothing flows back from here. For one rank.
 class LandmarkEvaluation {
 public:
-  /// Reads the landmarks; without a file there is nothing to evaluate.
-  void read(const std::string& file);
+  /// Reads the landmarks of a case; without a file there is nothing to evaluate.
+  void read(const CaseParameters& parameters);
 
   bool has_landmarks() const { return !landmarks_.empty(); }
 
@@ -39,6 +40,7 @@ public:
 private:
   std::vector<evaluation::Landmark> landmarks_;
   std::vector<evaluation::MappedLandmark> mapped_;
+  dealii::Tensor<1, 3> supine_offset_;
 };
 
 } // namespace prosup::pipeline

@@ -35,6 +35,7 @@ public:
 
 private:
   void read();
+  void align();
   void build();
   void unload();
   void update_material();

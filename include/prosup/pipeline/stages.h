@@ -16,6 +16,7 @@
 #include "prosup/pipeline/single_state_parameters.h"
 #include "prosup/registration/image_force_registration.h"
 #include "prosup/registration/material_update.h"
+#include "prosup/registration/pre_alignment.h"
 #include "prosup/registration/similarity_setup.h"
 #include "prosup/unloading/support_parameters.h"
 #include "prosup/unloading/unloading_parameters.h"
@@ -28,6 +29,7 @@ struct Stages {
   CaseParameters scene;
   mesh::MaskMesher mesher;
   InputReader inputs{mesher};
+  registration::PreAlignment pre_alignment;
   mechanics::ElementParameters elements;
   mechanics::TissueMaterial material;
   unloading::SupportParameters supports;

@@ -17,8 +17,9 @@ image::VoxelGrid common_unloaded_grid(const std::array<LoadedState, 2>& states, 
 
 /// What is known of the scene around the two bodies.
 struct Scene {
-  std::array<image::LabelImage, 2> labels; ///< of the loaded states
-  std::array<float, 2> air{0.f, 0.f};      ///< intensity of air in the scaled images
+  std::array<image::LabelImage, 2> labels;   ///< of the loaded states
+  std::array<image::LabelImage, 2> excluded; ///< not 0 where there is no force; may be empty
+  std::array<float, 2> air{0.f, 0.f};        ///< intensity of air in the scaled images
   unsigned chest_label = 1;
 };
 

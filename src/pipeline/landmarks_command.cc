@@ -1,0 +1,47 @@
+#include <cstdio>
+
+#include "prosup/evaluation/observers.h"
+#include "prosup/pipeline/commands.h"
+#include "prosup/pipeline/finished_result.h"
+
+namespace prosup::pipeline {
+
+using namespace evaluation;
+
+namespace {
+
+std::vector<Observer> read_observers(const LandmarkRequest& request) {
+  std::vector<Observer> observers;
+  for (const std::filesystem::path& file : request.observers)
+    observers.push_back(read_observer(file));
+  if (!request.control.empty())
+    observers.push_back(read_control_observer(request.control, observers[0]));
+  // Files of one name in different folders must stay apart in the tables.
+  for (std::size_t o = 0; o < observers.size(); ++o)
+    for (std::size_t other = 0; other < o; ++other)
+      if (observers[o].name == observers[other].name)
+        observers[o].name += " (" + std::to_string(o + 1) + ")";
+  return observers;
+}
+
+} // namespace
+
+void run_landmarks(const LandmarkRequest& request) {
+  require_finished(request.result);
+  const ObserverStudy study(read_observers(request), request.exclude_above);
+  const auto rows =
+      study.rows(read_mapper(request.result, "prone"), read_mapper(request.result, "supine"));
+  const auto distances = study.distances();
+  write_observer_tables(rows, distances, request.output);
+  std::printf("%s", observer_tables(rows, distances).c_str());
+  if (study.n_incomplete() > 0)
+    std::printf("\nNot marked by all observers and left out: %zu.\n", study.n_incomplete());
+  if (!study.outliers().empty()) {
+    std::printf("\nMore than %g mm apart and not reliable:", request.exclude_above);
+    for (const std::string& id : study.outliers())
+      std::printf(" %s", id.c_str());
+    std::printf("\n");
+  }
+}
+
+} // namespace prosup::pipeline
