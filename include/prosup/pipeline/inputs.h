@@ -6,6 +6,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 
 #include "prosup/image/voxel_image.h"
 #include "prosup/mesh/mask_mesher.h"
@@ -49,11 +50,13 @@ private:
   OriginalImage read_original(const CaseParameters& parameters, unsigned state,
                               const image::LabelImage& labels) const;
   void prepare(const CaseParameters& parameters, unsigned state, Inputs& inputs) const;
+  void convert_contrast(Inputs& inputs) const;
   image::LabelImage checked_labels(const std::string& file) const;
   double isotropic_edge(const image::VoxelGrid& grid) const;
 
   double voxel_edge_ = 1.;
   double low_percentile_ = 1., high_percentile_ = 99.;
+  std::string contrast_ = "as given";
   const mesh::MaskMesher& mesher_;
 };
 
