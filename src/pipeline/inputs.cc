@@ -4,6 +4,7 @@
 
 #include "prosup/core/collective.h"
 #include "prosup/core/error.h"
+#include "prosup/core/parameters.h"
 #include "prosup/image/broadcast.h"
 #include "prosup/image/contrast.h"
 #include "prosup/image/filters.h"
@@ -55,8 +56,7 @@ void InputReader::declare_parameters(ParameterHandler& prm) {
       "Whether one image takes the contrast of the other, such as MR that of CT, so that ssd can "
       "compare them: its fat and gland, as labelled, get the other's intensities by a linear map "
       "(paper, Fig. 4).",
-      Patterns::Selection(std::string(contrast::as_given) + "|" + contrast::prone_as_supine + "|" +
-                          contrast::supine_as_prone));
+      one_of({contrast::as_given, contrast::prone_as_supine, contrast::supine_as_prone}));
 }
 
 double InputReader::isotropic_edge(const image::VoxelGrid& grid) const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "prosup/core/parameters.h"
 #include "prosup/image/filters.h"
 
 namespace prosup::registration {
@@ -16,8 +17,7 @@ void SimilarityParameters::declare_parameters(ParameterHandler& prm) {
       "Measure of the dissimilarity of the two images. Allowed: ssd (sum of squared "
       "differences, paper eq. 12), nmi (normalised mutual information), lncc (squared local "
       "correlation); the latter two for images of different contrast, such as MR and CT.",
-      Patterns::Selection(Patterns::Tools::Convert<std::vector<std::string>>::to_string(
-          similarity::metric_names())));
+      one_of(similarity::metric_names()));
   prm.add_parameter("Bins", metric_parameters.n_bins,
                     "Of the joint histogram of nmi, for either image. Units: none.",
                     Patterns::Integer(8, 256));
