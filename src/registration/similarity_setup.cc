@@ -21,9 +21,11 @@ void SimilarityParameters::declare_parameters(ParameterHandler& prm) {
   prm.add_parameter("Bins", metric_parameters.n_bins,
                     "Of the joint histogram of nmi, for either image. Units: none.",
                     Patterns::Integer(8, 256));
-  prm.add_parameter("Window radius", metric_parameters.window_radius,
-                    "Half the edge of the cubic windows of lncc, at least one voxel. Units: mm.",
-                    Patterns::Double(0.1, 1000.));
+  prm.add_parameter(
+      "Window radius", metric_parameters.window_radius,
+      "Half the edge of the cubic windows of lncc, at least one voxel: small ones, which "
+      "rarely hold air, fat and gland at once, do best. Units: mm.",
+      Patterns::Double(0.1, 1000.));
   prm.add_parameter("Noise", metric_parameters.noise,
                     "Standard deviation of the noise for lncc: what varies less within a window "
                     "hardly counts. Units: none (images are scaled to [0, 1]).",

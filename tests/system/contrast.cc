@@ -29,10 +29,10 @@ Json errors(const std::string& similarity, const std::string& contrast,
     arguments.insert(arguments.end(),
                      {"--" + state + "-image", phantom() / (state + ".nii.gz"),
                       "--" + state + "-labels", phantom() / (state + "_labels.nii.gz")});
-  for (const std::string& common :
-       {std::string("Meshing/Edge length=10"), "Image forces/Levels=4",
-        "Image forces/Updates per level=20", "Image forces/Least gain=0.001",
-        "Image forces/Steps per update=80", "Results/Pictures=false", "Results/Voxel edge=4"})
+  for (const char* common :
+       {"Meshing/Edge length=10", "Image forces/Levels=4", "Image forces/Updates per level=14",
+        "Image forces/Least gain=0.001", "Image forces/Steps per update=80",
+        "Results/Pictures=false", "Results/Voxel edge=4"})
     arguments.insert(arguments.end(), {"--set", common});
   arguments.insert(arguments.end(), {"--set", "Images/Contrast=" + contrast, "--set", setting});
   const ProgramRun run = run_prosup(arguments);
@@ -49,10 +49,8 @@ double mean(const Json& errors, const std::string& row) {
 // Unloading with the generic material leaves nearly 3 mm, and images with voxels
 // of 2 mm, compared on voxels of 4 mm, bring it to less than a voxel.
 TEST(Contrast, MrAndCtAreRegistered) {
-  for (const auto& [similarity, contrast] : {std::pair("nmi", "as given"),
-                                             {"lncc", "as given"},
-                                             {"ssd", "prone as supine"},
-                                             {"ssd", "supine as prone"}}) {
+  for (const auto& [similarity, contrast] :
+       {std::pair("nmi", "as given"), {"lncc", "as given"}, {"ssd", "prone as supine"}}) {
     const Json found = errors(similarity, contrast);
     EXPECT_GT(mean(found, "unloaded"), 2.) << similarity;
     EXPECT_LT(mean(found, "material"), 0.6 * mean(found, "unloaded")) << similarity;
