@@ -56,7 +56,7 @@ public:
 /// What metrics other than ssd can be told.
 struct MetricParameters {
   unsigned n_bins = 32;      ///< of nmi, for either image
-  double window_radius = 4.; ///< of lncc: half the edge of its cubic windows, mm
+  double window_radius = 2.; ///< of lncc: half the edge of its cubic windows, mm
   double noise = 0.05;       ///< of lncc: standard deviation, images scaled to [0, 1]
 };
 
