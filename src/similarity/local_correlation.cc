@@ -16,19 +16,19 @@ namespace {
 /// It first holds the parts of each window, in which P_v and S_v are measured
 /// from the means, so that the constants are -own[0] P_mean - cross S_mean.
 struct Coefficients {
-  std::array<Field, 2> own, constant, curvature;
+  std::array<Field, 2> own, constant;
   Field cross;
 
   explicit Coefficients(std::size_t n) : cross(n, 0.f) {
     for (unsigned s = 0; s < 2; ++s)
-      own[s] = constant[s] = curvature[s] = cross;
+      own[s] = constant[s] = cross;
   }
 
   /// Gives each voxel the sums over the windows that it is in.
   void distribute(WindowSum& sum) {
     sum.apply(cross);
     for (unsigned s = 0; s < 2; ++s)
-      for (Field* field : {&own[s], &constant[s], &curvature[s]})
+      for (Field* field : {&own[s], &constant[s]})
         sum.apply(*field);
   }
 };
@@ -72,7 +72,6 @@ struct Moments {
       const double own = squared / variance[s];
       result.own[s][v] = static_cast<float>(own / n);
       result.constant[s][v] = static_cast<float>(-(own * mean[s] + cross * mean[1 - s]) / n);
-      result.curvature[s][v] = static_cast<float>(1. / (n * variance[s]));
     }
     return squared;
   }
@@ -110,7 +109,8 @@ double LocalCorrelation::evaluate(const WarpedPair& pair, VoxelDerivatives& deri
         derivatives.slope[s][v] =
             factor * (coefficients.own[s][v] * pair.values[s][v] +
                       coefficients.cross[v] * pair.values[1 - s][v] + coefficients.constant[s][v]);
-        derivatives.curvature[s][v] = factor * coefficients.curvature[s][v];
+        // Rounding of the running sums may leave less than zero.
+        derivatives.curvature[s][v] = std::max(0.f, factor * coefficients.own[s][v]);
       }
   return 0.5 * scale * pair.grid.voxel_volume() * uncorrelated;
 }

@@ -13,8 +13,8 @@ namespace prosup::similarity {
 /// with c = `scale`, means over the voxels of W_c in the domain, and the
 /// variance of noise added to var_c, so that windows without structure count as
 /// uncorrelated, and hardly pull. dS/dP_v is exact: all windows that hold v are
-/// differentiated. The curvature is that of the squared residual of the
-/// regression of P on S in units of its variance, sum_c c h^3/(n_c var_c(P)).
+/// differentiated. The slope is linear in P_v but for the moments of the windows;
+/// the curvature is its factor, sum_c c h^3 r_c^2/(n_c var_c(P)).
 class LocalCorrelation : public Metric {
 public:
   /// Brings slopes to the size of those of the ssd: see docs/contrast.md.
