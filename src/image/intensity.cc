@@ -50,11 +50,10 @@ ScalarImage rescale(const ScalarImage& image, IntensityRange range) {
   if (!(range.low < range.high))
     throw Error(format("The intensity range to rescale from is %g to %g, but must rise.", range.low,
                        range.high));
-  constexpr double lowest = -0.5, highest = 1.5;
   ScalarImage result(image.grid);
   std::transform(image.values.begin(), image.values.end(), result.values.begin(), [&](float value) {
     const double scaled = (value - range.low) / (range.high - range.low);
-    return static_cast<float>(std::clamp(scaled, lowest, highest));
+    return static_cast<float>(std::clamp(scaled, rescaled_range.low, rescaled_range.high));
   });
   return result;
 }

@@ -75,7 +75,7 @@ void add_case_options(CLI::App& command, Options& options) {
       [&options](const std::string& value) {
         options.inputs.push_back("Similarity/Metric=" + value);
       },
-      "Measure of similarity: ssd");
+      "Measure of similarity: ssd, nmi or lncc");
 }
 
 void add_common_options(CLI::App& command, Options& options) {

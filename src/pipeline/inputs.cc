@@ -4,7 +4,9 @@
 
 #include "prosup/core/collective.h"
 #include "prosup/core/error.h"
+#include "prosup/core/parameters.h"
 #include "prosup/image/broadcast.h"
+#include "prosup/image/contrast.h"
 #include "prosup/image/filters.h"
 #include "prosup/image/image_io.h"
 
@@ -18,16 +20,18 @@ namespace {
 
 constexpr double largest_anisotropy = 1.05; // of voxels that are used as they are
 
+/// What can be done about images of different modalities.
+namespace contrast {
+constexpr const char* as_given = "as given";
+constexpr const char* prone_as_supine = "prone as supine";
+constexpr const char* supine_as_prone = "supine as prone";
+} // namespace contrast
+
 /// Median intensity of the voxels labelled air; the darkest one if there are none.
 float air_intensity(const ScalarImage& image, const LabelImage& labels) {
-  std::vector<float> values;
-  for (std::size_t v = 0; v < labels.values.size(); ++v)
-    if (labels.values[v] == 0)
-      values.push_back(image.values[v]);
-  if (values.empty())
+  if (std::find(labels.values.begin(), labels.values.end(), 0) == labels.values.end())
     return *std::min_element(image.values.begin(), image.values.end());
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
+  return image::median_intensity(image, labels, 0);
 }
 
 /// Puts what was read of one state where the case says it lies.
@@ -64,6 +68,12 @@ void InputReader::declare_parameters(ParameterHandler& prm) {
   prm.add_parameter("High percentile", high_percentile_,
                     "Intensity inside the breast that becomes 1. Units: percent.",
                     Patterns::Double(0., 100.));
+  prm.add_parameter(
+      "Contrast", contrast_,
+      "Whether one image takes the contrast of the other, such as MR that of CT, so that ssd can "
+      "compare them: its fat and gland, as labelled, get the other's intensities by a linear map "
+      "(paper, Fig. 4).",
+      one_of({contrast::as_given, contrast::prone_as_supine, contrast::supine_as_prone}));
 }
 
 double InputReader::isotropic_edge(const image::VoxelGrid& grid) const {
@@ -141,6 +151,27 @@ void InputReader::prepare(const CaseParameters& parameters, unsigned state, Inpu
   inputs.scene.excluded[state] = read_excluded(parameters, state, original);
 }
 
+void InputReader::convert_contrast(Inputs& inputs) const {
+  if (contrast_ == contrast::as_given)
+    return;
+  if (mesher_.tissue_labels.size() != 2)
+    throw Error("'Images/Contrast = " + contrast_ +
+                "' needs two 'Meshing/Tissue labels', fat and gland; give both, or choose "
+                "'Similarity/Metric = nmi' or 'lncc', which need none.");
+  std::array<image::TissueIntensities, 2> tissue;
+  for (unsigned s = 0; s < 2; ++s) {
+    const auto median = [&](unsigned label) {
+      return image::median_intensity(inputs.images[s], inputs.scene.labels[s], label);
+    };
+    tissue[s] = {inputs.scene.air[s], median(mesher_.tissue_labels[0]),
+                 median(mesher_.tissue_labels[1])};
+  }
+  const unsigned changed = contrast_ == contrast::prone_as_supine ? 0 : 1;
+  inputs.images[changed] = image::convert_contrast(
+      inputs.images[changed], inputs.scene.labels[changed], tissue[changed], tissue[1 - changed]);
+  inputs.scene.air[changed] = inputs.scene.air[1 - changed];
+}
+
 Inputs InputReader::read_pair(const CaseParameters& parameters, MPI_Comm communicator) const {
   Inputs inputs;
   inputs.scene.chest_label = mesher_.chest_label;
@@ -148,6 +179,7 @@ Inputs InputReader::read_pair(const CaseParameters& parameters, MPI_Comm communi
     parameters.require_pair();
     for (unsigned state = 0; state < 2; ++state)
       prepare(parameters, state, inputs);
+    convert_contrast(inputs);
   });
   for (unsigned state = 0; state < 2; ++state) {
     image::broadcast(inputs.originals[state].image, communicator);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "prosup/core/parameters.h"
 #include "prosup/image/filters.h"
 
 namespace prosup::registration {
@@ -14,9 +15,21 @@ void SimilarityParameters::declare_parameters(ParameterHandler& prm) {
   prm.add_parameter(
       "Metric", metric,
       "Measure of the dissimilarity of the two images. Allowed: ssd (sum of squared "
-      "differences, paper eq. 12).",
-      Patterns::Selection(Patterns::Tools::Convert<std::vector<std::string>>::to_string(
-          similarity::metric_names())));
+      "differences, paper eq. 12), nmi (normalised mutual information), lncc (squared local "
+      "correlation); the latter two for images of different contrast, such as MR and CT.",
+      one_of(similarity::metric_names()));
+  prm.add_parameter("Bins", metric_parameters.n_bins,
+                    "Of the joint histogram of nmi, for either image. Units: none.",
+                    Patterns::Integer(8, 256));
+  prm.add_parameter(
+      "Window radius", metric_parameters.window_radius,
+      "Half the edge of the cubic windows of lncc, at least one voxel: small ones, which "
+      "rarely hold air, fat and gland at once, do best. Units: mm.",
+      Patterns::Double(0.1, 1000.));
+  prm.add_parameter("Noise", metric_parameters.noise,
+                    "Standard deviation of the noise for lncc: what varies less within a window "
+                    "hardly counts. Units: none (images are scaled to [0, 1]).",
+                    Patterns::Double(1e-6, 1.));
   prm.add_parameter(
       "Boundary layers", n_layers,
       "Layers of voxels around the mesh that are mapped like their nearest element, so "
@@ -28,7 +41,8 @@ void SimilarityParameters::declare_parameters(ParameterHandler& prm) {
 }
 
 SimilaritySetup::SimilaritySetup(const SimilarityParameters& parameters, MPI_Comm world)
-    : parameters_(parameters), force_(similarity::make_metric(parameters.metric), world) {}
+    : parameters_(parameters),
+      force_(similarity::make_metric(parameters.metric, parameters.metric_parameters), world) {}
 
 similarity::SimilarityDomain
 SimilaritySetup::domain(const BodyPair& pair, const similarity::Scene& scene, double level) const {

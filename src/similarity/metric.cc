@@ -1,17 +1,23 @@
 #include "prosup/similarity/metric.h"
 
 #include "prosup/core/error.h"
+#include "prosup/similarity/local_correlation.h"
+#include "prosup/similarity/mutual_information.h"
 
 namespace prosup::similarity {
+
+void VoxelDerivatives::reset(std::size_t n_voxels) {
+  for (unsigned s = 0; s < 2; ++s) {
+    slope[s].assign(n_voxels, 0.f);
+    curvature[s].assign(n_voxels, 0.f);
+  }
+}
 
 double SumOfSquaredDifferences::evaluate(const WarpedPair& pair,
                                          VoxelDerivatives& derivatives) const {
   const double volume = pair.grid.voxel_volume();
   const std::size_t n = pair.in_domain.size();
-  for (unsigned s = 0; s < 2; ++s) {
-    derivatives.slope[s].assign(n, 0.f);
-    derivatives.curvature[s].assign(n, 0.f);
-  }
+  derivatives.reset(n);
   double sum = 0.;
   for (std::size_t v = 0; v < n; ++v) {
     if (!pair.in_domain[v])
@@ -27,13 +33,17 @@ double SumOfSquaredDifferences::evaluate(const WarpedPair& pair,
 }
 
 const std::vector<std::string>& metric_names() {
-  static const std::vector<std::string> names{"ssd"};
+  static const std::vector<std::string> names{"ssd", "nmi", "lncc"};
   return names;
 }
 
-std::unique_ptr<Metric> make_metric(const std::string& name) {
+std::unique_ptr<Metric> make_metric(const std::string& name, const MetricParameters& parameters) {
   if (name == "ssd")
     return std::make_unique<SumOfSquaredDifferences>();
+  if (name == "nmi")
+    return std::make_unique<NormalisedMutualInformation>(parameters.n_bins);
+  if (name == "lncc")
+    return std::make_unique<LocalCorrelation>(parameters.window_radius, parameters.noise);
   std::string allowed;
   for (const std::string& known : metric_names())
     allowed += (allowed.empty() ? "" : ", ") + known;

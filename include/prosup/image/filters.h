@@ -42,6 +42,9 @@ struct IntensityRange {
 IntensityRange robust_range(const ScalarImage& image, const LabelImage& mask, double low_percentile,
                             double high_percentile);
 
+/// What rescale() clamps to.
+inline constexpr IntensityRange rescaled_range{-0.5, 1.5};
+
 /// Maps range.low to 0 and range.high to 1, and clamps to [-0.5, 1.5]. A squared
 /// difference weighs outliers by their square: what is far brighter or darker
 /// than the tissue the range was taken from (clips, air in CT, flow artefacts)

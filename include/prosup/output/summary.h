@@ -43,10 +43,9 @@ struct Summary {
   std::string command;
   unsigned ranks = 1;
   std::optional<StateSummary> prone, supine;
+  std::optional<AlignmentSummary> alignment;
   std::optional<std::size_t> steps;  ///< explicit time steps of all stages
   std::optional<std::string> metric; ///< of the similarity
-  std::optional<AlignmentSummary> alignment;
-  std::optional<std::size_t> steps; ///< explicit time steps of all stages
   std::vector<SimilarityEntry> similarity;
 
   std::optional<double> shear_modulus; ///< Pa

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 
 #include "prosup/image/rigid_transform.h"
 #include "prosup/image/voxel_image.h"
@@ -58,10 +59,12 @@ private:
   image::LabelImage checked_labels(const CaseParameters& parameters, unsigned state) const;
   image::LabelImage read_excluded(const CaseParameters& parameters, unsigned state,
                                   const image::ScalarImage& image) const;
+  void convert_contrast(Inputs& inputs) const;
   double isotropic_edge(const image::VoxelGrid& grid) const;
 
   double voxel_edge_ = 1.;
   double low_percentile_ = 1., high_percentile_ = 99.;
+  std::string contrast_ = "as given";
   const mesh::MaskMesher& mesher_;
 };
 

@@ -35,6 +35,7 @@ public:
   void declare_parameters(dealii::ParameterHandler& prm) override;
 
   std::string metric = "ssd";
+  similarity::MetricParameters metric_parameters;
   unsigned n_layers = 2; ///< voxels around each mesh
   double margin = 15.;   ///< of the grid around both meshes, mm
 };

@@ -32,6 +32,9 @@ struct VoxelDerivatives {
   /// d^2 S/dP_v^2 and d^2 S/dS_v^2 with the other image held, as Gauss-Newton or
   /// Fisher's information approximate them: never negative.
   std::array<std::vector<float>, 2> curvature;
+
+  /// All zero, for so many voxels.
+  void reset(std::size_t n_voxels);
 };
 
 /// A measure of the dissimilarity of two warped images: the smaller the more
@@ -40,7 +43,7 @@ class Metric {
 public:
   virtual ~Metric() = default;
 
-  /// The value, and its derivatives.
+  /// The value, mm^3, and its derivatives.
   virtual double evaluate(const WarpedPair& pair, VoxelDerivatives& derivatives) const = 0;
 };
 
@@ -50,11 +53,20 @@ public:
   double evaluate(const WarpedPair& pair, VoxelDerivatives& derivatives) const override;
 };
 
+/// What metrics other than ssd can be told.
+struct MetricParameters {
+  unsigned n_bins = 32;      ///< of nmi, for either image
+  double window_radius = 2.; ///< of lncc: half the edge of its cubic windows, mm
+  double noise = 0.05;       ///< of lncc: standard deviation, images scaled to [0, 1]
+};
+
 /// The metrics that can be chosen by name.
 const std::vector<std::string>& metric_names();
 
-/// @throws Error that lists the names if there is no metric of this name.
-std::unique_ptr<Metric> make_metric(const std::string& name);
+/// @throws Error that lists the names if there is no metric of this name, and
+/// for parameters that the metric cannot work with.
+std::unique_ptr<Metric> make_metric(const std::string& name,
+                                    const MetricParameters& parameters = {});
 
 } // namespace prosup::similarity
 

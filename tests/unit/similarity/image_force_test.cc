@@ -3,7 +3,6 @@
 #include <deal.II/base/mpi.h>
 #include <gtest/gtest.h>
 
-#include "prosup/core/error.h"
 #include "prosup/image/sampling.h"
 #include "prosup/similarity/domain.h"
 #include "prosup/similarity/voxel_map.h"
@@ -179,28 +178,6 @@ TEST(ImageForce, SwappingTheStatesSwapsTheForces) {
   for (unsigned i = 0; i < 3 * pair.bodies[0]->n_owned_nodes(); ++i) {
     EXPECT_NEAR(a.forces[0].local_element(i), b.forces[1].local_element(i), 1e-6);
     EXPECT_NEAR(a.forces[1].local_element(i), b.forces[0].local_element(i), 1e-6);
-  }
-}
-
-TEST(Metric, SsdValueAndDerivative) {
-  similarity::WarpedPair pair;
-  pair.grid.size = {2, 1, 1};
-  pair.grid.spacing = Tensor<1, 3>({2., 2., 2.});
-  pair.values = {std::vector<float>{0.5f, 1.f}, std::vector<float>{0.25f, 0.f}};
-  pair.in_domain = {1, 0};
-  VoxelDerivatives derivatives;
-  EXPECT_NEAR(make_metric("ssd")->evaluate(pair, derivatives), 0.5 * 8. * 0.0625, 1e-9);
-  EXPECT_FLOAT_EQ(derivatives.slope[0][0], 2.f);
-  EXPECT_FLOAT_EQ(derivatives.slope[1][0], -2.f);
-  EXPECT_FLOAT_EQ(derivatives.slope[0][1], 0.f);
-}
-
-TEST(Metric, UnknownNameIsAnsweredWithTheList) {
-  try {
-    make_metric("psnr");
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("allowed are: ssd"), std::string::npos);
   }
 }
 
