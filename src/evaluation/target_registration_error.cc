@@ -57,6 +57,16 @@ std::vector<MappedLandmark> map_landmarks(const std::vector<Landmark>& landmarks
   return mapped;
 }
 
+ErrorStatistics inverse_consistency(const std::vector<Point<3>>& points, const PointMapper& from,
+                                    const PointMapper& to) {
+  std::vector<double> distances;
+  for (const Point<3>& point : points) {
+    const Point<3> there = to.to_loaded(from.to_unloaded(point));
+    distances.push_back(from.to_loaded(to.to_unloaded(there)).distance(point));
+  }
+  return statistics(std::move(distances));
+}
+
 ErrorStatistics unloaded_error(const std::vector<Landmark>& landmarks, const PointMapper& prone,
                                const PointMapper& supine) {
   std::vector<double> distances;

@@ -13,11 +13,13 @@ double jacobian(const UnloadedMesh& mesh, std::size_t cell) {
   return volume(mesh.mesh.points) / volume(mesh.unloaded);
 }
 
-double min_jacobian(const UnloadedMesh& mesh) {
-  double smallest = std::numeric_limits<double>::max();
-  for (std::size_t cell = 0; cell < mesh.mesh.cells.size(); ++cell)
-    smallest = std::min(smallest, jacobian(mesh, cell));
-  return smallest;
+JacobianRange jacobian_range(const UnloadedMesh& mesh) {
+  JacobianRange range{std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()};
+  for (std::size_t cell = 0; cell < mesh.mesh.cells.size(); ++cell) {
+    const double J = jacobian(mesh, cell);
+    range = {std::min(range.min, J), std::max(range.max, J)};
+  }
+  return range;
 }
 
 std::vector<Point<3>> at_nodes(const TetMesh& mesh,

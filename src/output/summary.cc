@@ -35,6 +35,7 @@ void set_state(Json& json, const char* name, const std::optional<StateSummary>& 
   json["mesh"][name] = {
       {"cells", state->n_cells}, {"nodes", state->n_nodes}, {"min_quality", state->min_quality}};
   set(json["min_jacobian"], name, state->min_jacobian);
+  set(json["max_jacobian"], name, state->max_jacobian);
 }
 
 void set(Json& json, const char* name, const std::optional<AlignmentSummary>& alignment) {
@@ -77,6 +78,7 @@ Json as_json(const Summary& summary) {
   set(json["tre"], "unloaded", summary.tre.unloaded);
   set(json["tre"], "material", summary.tre.material);
   set(json["tre"], "image_forces", summary.tre.image_forces);
+  set(json, "inverse_consistency", summary.inverse_consistency);
   set(json["time"], "mesh", summary.time.mesh);
   set(json["time"], "unloading", summary.time.unloading);
   set(json["time"], "material", summary.time.material);
@@ -86,7 +88,7 @@ Json as_json(const Summary& summary) {
   json["warnings"] = summary.warnings;
   for (const SimilarityEntry& entry : summary.similarity)
     json["similarity"].push_back(as_json(entry));
-  for (const char* group : {"mesh", "min_jacobian", "material", "tre"})
+  for (const char* group : {"mesh", "min_jacobian", "max_jacobian", "material", "tre"})
     if (json.contains(group) && json[group].is_null())
       json.erase(group);
   return json;

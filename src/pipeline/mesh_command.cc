@@ -47,7 +47,7 @@ void run_mesh(const Stages& stages, const dealii::ParameterHandler& parameters,
     const mesh::MeshQuality quality = mesh::measure_quality(mesh);
     log.line(report(quality));
     (state == 0 ? summary.prone : summary.supine) =
-        output::StateSummary{quality.n_cells, quality.n_nodes, quality.min_quality, {}};
+        output::StateSummary{quality.n_cells, quality.n_nodes, quality.min_quality, {}, {}};
     summary.converged = true;
     summary.time.total = timer.total();
     output::write_mesh({mesh, mesh.points}, folder.path(), similarity::state_names[state]);

@@ -150,8 +150,11 @@ private:
     for (const unsigned state : {0u, 1u}) {
       const mesh::MeshQuality quality = mesh::measure_quality(loaded_[state].mesh.mesh);
       (state == 0 ? summary.prone : summary.supine) =
-          output::StateSummary{quality.n_cells, quality.n_nodes, quality.min_quality,
-                               loaded_[state].result.min_jacobian};
+          output::StateSummary{quality.n_cells,
+                               quality.n_nodes,
+                               quality.min_quality,
+                               loaded_[state].result.min_jacobian,
+                               {}};
     }
     summary.shear_modulus = parameters_.fat_shear_modulus;
     summary.tre.initial = initial_error_;

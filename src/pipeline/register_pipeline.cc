@@ -169,15 +169,18 @@ void RegisterPipeline::record(const std::array<unloading::UnloadingResult, 2>& r
 void RegisterPipeline::add_mesh_summaries() {
   for (const auto state : {prone, supine}) {
     const mesh::MeshQuality quality = mesh::measure_quality(meshes_[state]);
-    (state == prone ? summary_.prone : summary_.supine) = {quality.n_cells, quality.n_nodes,
-                                                           quality.min_quality,
-                                                           mesh::min_jacobian(unloaded_[state])};
+    const mesh::JacobianRange jacobian = mesh::jacobian_range(unloaded_[state]);
+    (state == prone ? summary_.prone : summary_.supine) = {
+        quality.n_cells, quality.n_nodes, quality.min_quality, jacobian.min, jacobian.max};
   }
 }
 
 void RegisterPipeline::write(const std::filesystem::path& folder) {
   on_root(ranks_.world(), [&] {
     add_mesh_summaries();
+    summary_.inverse_consistency = evaluation::inverse_consistency(
+        meshes_[prone].points, evaluation::PointMapper(unloaded_[prone]),
+        evaluation::PointMapper(unloaded_[supine]));
     if (!summary_.converged)
       summary_.warnings.push_back("a simulation did not settle within 'Unloading/Maximum steps'");
     output::write_mesh(unloaded_[prone], folder, "prone");

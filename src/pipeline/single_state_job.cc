@@ -173,8 +173,9 @@ output::Summary SingleStateJob::summary(double memory) const {
   output::Summary summary;
   summary.command = command_;
   summary.ranks = dealii::Utilities::MPI::n_mpi_processes(world_);
+  const mesh::JacobianRange jacobian = mesh::jacobian_range(mesh_);
   (state_ == 0 ? summary.prone : summary.supine) = output::StateSummary{
-      quality.n_cells, quality.n_nodes, quality.min_quality, mesh::min_jacobian(mesh_)};
+      quality.n_cells, quality.n_nodes, quality.min_quality, jacobian.min, jacobian.max};
   summary.steps = n_steps_;
   summary.tre.unloaded = error();
   summary.shear_modulus = stages_.material.initial().shear_modulus;

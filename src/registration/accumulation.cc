@@ -54,7 +54,7 @@ public:
       record(i++, weight, next.value);
       ++result.n_updates;
       n_idle =
-          current.value - next.value < parameters_.least_gain_ * current.value ? n_idle + 1 : 0;
+          current.value - next.value < parameters_.least_fall_ * current.value ? n_idle + 1 : 0;
       current = std::move(next);
       if (n_idle >= patience)
         break;

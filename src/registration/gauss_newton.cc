@@ -79,6 +79,7 @@ public:
     Point point = evaluate(std::move(present));
     report(level, 0, 0., point);
     unsigned n_updates = 0;
+    double gained = 0.;
     while (n_updates < parameters_.updates_per_level_ && point.is_allowed) {
       const double kappa = parameters_.image_weight_ * pair_.properties().tissue.shear_modulus /
                            point.similarity.residual_variance;
@@ -88,7 +89,9 @@ public:
       pair_.for_each(
           [&](State which, BodyState& state) { state.unloading->adopt(point.unloaded[which]); });
       report(level, ++n_updates, kappa, point);
-      if (before - point.objective(kappa) < parameters_.least_gain_ * before)
+      const double gain = 1. - point.objective(kappa) / before;
+      gained += gain;
+      if (gain < parameters_.least_gain_ * gained)
         break;
     }
     return n_updates;

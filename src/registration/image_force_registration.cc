@@ -39,10 +39,11 @@ void ImageForceRegistration::declare_parameters(ParameterHandler& prm) {
       "Smallest Jacobian", smallest_jacobian_,
       "An update that brings any element below this J = det F is taken back. Units: none.",
       Patterns::Double(0., 1.));
-  prm.add_parameter("Least gain", least_gain_,
-                    "A level ends with an update (accumulated: three in a row) that lowers what is "
-                    "minimised by less than this part. Units: none.",
-                    Patterns::Double(0., 1.));
+  prm.add_parameter(
+      "Least gain", least_gain_,
+      "gauss-newton: a level ends with an update that lowers what is minimised by less "
+      "than this part of all that was gained on it. Units: none.",
+      Patterns::Double(0., 1.));
   prm.add_parameter("Force", force_,
                     "accumulated: the exact derivative by the displacement, with the gradient of "
                     "the loaded image, or the paper's transformed one, F f with that of the "
@@ -65,6 +66,10 @@ void ImageForceRegistration::declare_parameters(ParameterHandler& prm) {
                     "so that soft directions, in which the residual hardly changes, go faster. "
                     "Units: none.",
                     Patterns::Double(0., 0.99));
+  prm.add_parameter("Least fall", least_fall_,
+                    "accumulated: a level ends after three updates in a row that lower the "
+                    "similarity by less than this part. Units: none.",
+                    Patterns::Double(0., 1.));
 }
 
 ImageForceResult ImageForceRegistration::run(BodyPair& pair, const SimilaritySetup& setup,

@@ -10,6 +10,7 @@ using namespace dealii;
 namespace {
 
 const std::vector<std::string> method_names{"search", "stepwise", "none"};
+const std::vector<std::string> compared_names{"automatic", "images", "tissues"};
 
 /// Multiplies by `factor` while the similarity improves; returns how often it did.
 unsigned walk(PropertyTrials& trials, double factor, unsigned max_steps) {
@@ -31,13 +32,19 @@ unsigned walk(PropertyTrials& trials, double factor, unsigned max_steps) {
 
 MaterialUpdate::MaterialUpdate()
     : ParameterAcceptor("Material update"), method_(method_names.front()),
-      properties_(property_names()) {}
+      compared_(compared_names.front()), properties_(property_names()) {}
 
 void MaterialUpdate::declare_parameters(ParameterHandler& prm) {
   prm.add_parameter("Method", method_,
                     "search: Gauss-Newton steps for all chosen properties at once. stepwise: the "
                     "paper's steps of the shear modulus. none: the properties stay as given.",
                     one_of(method_names));
+  prm.add_parameter(
+      "Compared", compared_,
+      "images: the images, with the metric of section Similarity. tissues: fat and "
+      "gland as labelled, by squared differences. automatic: the images if the metric "
+      "is ssd, else the tissues.",
+      one_of(compared_names));
   prm.add_parameter(
       "Properties", properties_,
       "What the search may change, from the values given under Material and "
@@ -51,10 +58,11 @@ void MaterialUpdate::declare_parameters(ParameterHandler& prm) {
   prm.add_parameter("Maximum steps", max_steps_,
                     "Largest number of accepted steps on a level. Units: none.",
                     Patterns::Integer(0, 1000));
-  prm.add_parameter("Least gain", least_gain_,
-                    "A search ends with a step that lowers the similarity by less than this part. "
-                    "Units: none.",
-                    Patterns::Double(0., 1.));
+  prm.add_parameter(
+      "Least gain", least_gain_,
+      "A search ends with a step that lowers the similarity by less than this part of all that "
+      "was gained on its level. Units: none.",
+      Patterns::Double(0., 1.));
   prm.add_parameter(
       "Factor", factor_,
       "Factor on the shear modulus of one step of stepwise, used both ways (paper: 1.1 clinical, "
@@ -69,14 +77,22 @@ MaterialUpdateResult MaterialUpdate::run(BodyPair& pair, const SimilaritySetup& 
   MaterialUpdateResult result;
   if (method_ == "none")
     return result;
+  const bool by_images =
+      compared_ == "images" || (compared_ == "automatic" && setup.metric() == "ssd");
+  const auto trials_on = [&](double level) {
+    return PropertyTrials(pair,
+                          by_images ? setup.of_images(pair, scene, level)
+                                    : setup.of_tissues(pair, scene, material.gland_label(), level),
+                          material, level, log, observer, result);
+  };
   if (method_ == "stepwise") {
-    PropertyTrials trials(pair, setup, scene, material, levels_.back(), log, observer, result);
+    PropertyTrials trials = trials_on(levels_.back());
     if (max_steps_ > 0 && walk(trials, factor_, max_steps_) == 0)
       walk(trials, 1. / factor_, max_steps_);
     return result;
   }
   for (const double level : levels_) {
-    PropertyTrials trials(pair, setup, scene, material, level, log, observer, result);
+    PropertyTrials trials = trials_on(level);
     search_properties(properties_, trials, pair.has_gland(material), max_steps_, least_gain_,
                       level == levels_.back());
   }

@@ -175,6 +175,7 @@ void search_properties(const std::vector<std::string>& names, PropertyTrials& tr
     return;
   Search search(chosen, trials);
   search.linearize();
+  const double first = trials.best_value();
   double damping = 1e-3;
   for (unsigned i = 0; i < max_steps;) {
     const double before = trials.best_value();
@@ -192,7 +193,7 @@ void search_properties(const std::vector<std::string>& names, PropertyTrials& tr
         trials.return_to_best();
       }
     }
-    if (before - trials.best_value() >= least_gain * before)
+    if (before - trials.best_value() >= least_gain * (first - trials.best_value()) && improved)
       continue;
     if (was_exact || !to_the_end)
       break;

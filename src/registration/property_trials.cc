@@ -1,18 +1,18 @@
 #include "property_trials.h"
 
+#include <utility>
+
 #include "prosup/core/error.h"
 
 namespace prosup::registration {
 
-PropertyTrials::PropertyTrials(BodyPair& pair, const SimilaritySetup& setup,
-                               const similarity::Scene& scene,
+PropertyTrials::PropertyTrials(BodyPair& pair, Comparison comparison,
                                const mechanics::TissueMaterial& material, double level,
                                const Log& log, const Observer& observer,
                                MaterialUpdateResult& result)
-    : pair_(pair), setup_(setup), material_(material), level_(level), log_(log),
-      observer_(observer), result_(result), domain_(setup.domain(pair, scene, level)),
-      images_(setup.images(pair, level)), best_value_(value()), best_properties_(pair.properties()),
-      best_(pair.save()) {
+    : pair_(pair), comparison_(std::move(comparison)), material_(material), level_(level),
+      log_(log), observer_(observer), result_(result), best_value_(value()),
+      best_properties_(pair.properties()), best_(pair.save()) {
   report(best_value_);
 }
 
@@ -31,11 +31,11 @@ bool PropertyTrials::unload(const MechanicalProperties& properties) {
 }
 
 double PropertyTrials::value() const {
-  return setup_.force().value(domain_, pair_.loaded_states(images_));
+  return comparison_.force.value(comparison_.domain, pair_.loaded_states(comparison_.images));
 }
 
 std::vector<float> PropertyTrials::residuals() const {
-  return setup_.force().residuals(domain_, pair_.loaded_states(images_));
+  return comparison_.force.residuals(comparison_.domain, pair_.loaded_states(comparison_.images));
 }
 
 void PropertyTrials::accept(double value) {
@@ -58,7 +58,7 @@ void PropertyTrials::report(double value) const {
                             tissue.shear_modulus, tissue.poisson_ratio, tissue.gland_ratio);
   if (pair_.properties().chest_stiffness > 0.)
     text += format(", chest %.2f Pa/mm", pair_.properties().chest_stiffness);
-  log_.line(text + format("; %s %.4g", setup_.metric().c_str(), value));
+  log_.line(text + format("; %s %.4g", comparison_.metric.c_str(), value));
   if (observer_)
     observer_({"material", level_, n_accepted_, 0., value});
 }

@@ -12,9 +12,9 @@ namespace prosup::registration {
 /// and compares its images on one level.
 class PropertyTrials {
 public:
-  PropertyTrials(BodyPair& pair, const SimilaritySetup& setup, const similarity::Scene& scene,
-                 const mechanics::TissueMaterial& material, double level, const Log& log,
-                 const Observer& observer, MaterialUpdateResult& result);
+  PropertyTrials(BodyPair& pair, Comparison comparison, const mechanics::TissueMaterial& material,
+                 double level, const Log& log, const Observer& observer,
+                 MaterialUpdateResult& result);
 
   double best_value() const { return best_value_; }
   const MechanicalProperties& best() const { return best_properties_; }
@@ -34,14 +34,12 @@ private:
   void report(double value) const;
 
   BodyPair& pair_;
-  const SimilaritySetup& setup_;
+  const Comparison comparison_;
   const mechanics::TissueMaterial& material_;
   const double level_;
   const Log& log_;
   const Observer& observer_;
   MaterialUpdateResult& result_;
-  const similarity::SimilarityDomain domain_;
-  const std::array<image::ScalarImage, 2> images_;
   bool converged_ = true;
   unsigned n_accepted_ = 0;
   double best_value_;

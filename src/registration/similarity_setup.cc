@@ -9,6 +9,27 @@ namespace prosup::registration {
 
 using namespace dealii;
 
+namespace {
+
+image::ScalarImage smoothed(const image::ScalarImage& image, double level) {
+  const auto& spacing = image.grid.spacing;
+  const double finest = std::min({spacing[0], spacing[1], spacing[2]});
+  // Half a voxel of blur per voxel of the coarser grid avoids aliasing.
+  return level > 1.5 * finest ? image::gaussian_smooth(image, 0.5 * level) : image;
+}
+
+/// The chest wall looks like fat: it is no edge that the tissue could be pulled to.
+image::ScalarImage tissue_image(const image::LabelImage& labels, unsigned gland_label) {
+  image::ScalarImage tissue(labels.grid);
+  std::transform(labels.values.begin(), labels.values.end(), tissue.values.begin(),
+                 [&](unsigned label) {
+                   return label == 0 ? 0.f : label == gland_label ? 1.f : 0.5f;
+                 });
+  return tissue;
+}
+
+} // namespace
+
 SimilarityParameters::SimilarityParameters() : ParameterAcceptor("Similarity") {}
 
 void SimilarityParameters::declare_parameters(ParameterHandler& prm) {
@@ -36,33 +57,46 @@ void SimilarityParameters::declare_parameters(ParameterHandler& prm) {
       "that the skin feels the whole of its image edge. Units: voxels.",
       Patterns::Integer(0, 20));
   prm.add_parameter("Grid margin", margin,
-                    "Space that the common unloaded grid leaves around both meshes. Units: mm.",
+                    "Space that the common unloaded grid leaves around both meshes. Units: voxels.",
                     Patterns::Double(0., 1000.));
 }
 
 SimilaritySetup::SimilaritySetup(const SimilarityParameters& parameters, MPI_Comm world)
-    : parameters_(parameters),
+    : world_(world), parameters_(parameters),
       force_(similarity::make_metric(parameters.metric, parameters.metric_parameters), world) {}
 
 similarity::SimilarityDomain
 SimilaritySetup::domain(const BodyPair& pair, const similarity::Scene& scene, double level) const {
   const image::VoxelGrid grid = similarity::common_unloaded_grid(
-      pair.loaded_states(), level, parameters_.margin, pair.ranks().world());
+      pair.loaded_states(), level, parameters_.margin * level, pair.ranks().world());
   return similarity::similarity_domain(grid, scene, parameters_.n_layers);
 }
 
 std::array<image::ScalarImage, 2> SimilaritySetup::images(const BodyPair& pair,
                                                           double level) const {
-  std::array<image::ScalarImage, 2> smoothed;
+  std::array<image::ScalarImage, 2> images;
   for (const State state : {similarity::prone, similarity::supine})
-    if (pair.ranks().holds(state)) {
-      const image::ScalarImage& image = pair[state].image;
-      const auto& spacing = image.grid.spacing;
-      const double finest = std::min({spacing[0], spacing[1], spacing[2]});
-      // Half a voxel of blur per voxel of the coarser grid avoids aliasing.
-      smoothed[state] = level > 1.5 * finest ? image::gaussian_smooth(image, 0.5 * level) : image;
-    }
-  return smoothed;
+    if (pair.ranks().holds(state))
+      images[state] = smoothed(pair[state].image, level);
+  return images;
+}
+
+Comparison SimilaritySetup::of_images(const BodyPair& pair, const similarity::Scene& scene,
+                                      double level) const {
+  return {metric(), force_, domain(pair, scene, level), images(pair, level)};
+}
+
+Comparison SimilaritySetup::of_tissues(const BodyPair& pair, const similarity::Scene& scene,
+                                       unsigned gland_label, double level) const {
+  Comparison result{"ssd of tissues",
+                    similarity::ImageForce(similarity::make_metric("ssd"), world_),
+                    domain(pair, scene, level),
+                    {}};
+  result.domain.air = {0.f, 0.f};
+  for (const State state : {similarity::prone, similarity::supine})
+    if (pair.ranks().holds(state))
+      result.images[state] = smoothed(tissue_image(scene.labels[state], gland_label), level);
+  return result;
 }
 
 } // namespace prosup::registration

@@ -64,7 +64,9 @@ VoxelGrid common_unloaded_grid(const std::array<LoadedState, 2>& states, double 
 }
 
 SimilarityDomain similarity_domain(const VoxelGrid& grid, const Scene& scene, unsigned n_layers) {
-  SimilarityDomain domain{grid, std::vector<bool>(grid.n_voxels()), n_layers, scene.air};
+  SimilarityDomain domain{grid, std::vector<bool>(grid.n_voxels()), n_layers, scene.air, nullptr};
+  if (!scene.excluded[0].values.empty() || !scene.excluded[1].values.empty())
+    domain.excluded = &scene.excluded;
   for (const LabelImage& labels : scene.labels) {
     const auto faces = touched_faces(labels);
     std::size_t v = 0;

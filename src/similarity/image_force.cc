@@ -17,6 +17,7 @@ namespace {
 // How sure a warped image is of a voxel.
 constexpr float in_mesh = 1.f;
 constexpr float beyond_boundary = 0.25f;
+constexpr float excluded = -1.f;
 
 NodeVector displacement_of(const LoadedState& state) {
   NodeVector displacement = *state.unloaded;
@@ -50,7 +51,9 @@ double residual_variance(const VoxelDerivatives& derivatives, double voxel_volum
 }
 
 bool counts(float prone_cover, float supine_cover, bool no_air) {
-  if (prone_cover <= 0.f && supine_cover <= 0.f)
+  if (prone_cover == excluded || supine_cover == excluded)
+    return false;
+  if (prone_cover == 0.f && supine_cover == 0.f)
     return false;
   const bool both = prone_cover > 0.f && supine_cover > 0.f;
   const bool any_in_mesh = prone_cover == in_mesh || supine_cover == in_mesh;
@@ -63,23 +66,31 @@ bool counts(float prone_cover, float supine_cover, bool no_air) {
 struct ImageForce::Samples {
   std::vector<VoxelMap::Voxel> voxels;
   std::vector<float> values;
+  std::vector<float> cover;
   std::vector<Tensor<1, 3, float>> gradients;
 
   Samples() = default;
-  Samples(const SimilarityDomain& domain, const LoadedState& state) {
+  Samples(const SimilarityDomain& domain, const LoadedState& state, State which) {
     if (state.body == nullptr)
       return;
     const VoxelMap map(domain.grid, *state.body, *state.unloaded, domain.n_layers);
     const NodeVector displacement = displacement_of(state);
     const image::Sampler sampler(*state.image);
+    const image::LabelImage* mask =
+        domain.excluded == nullptr ? nullptr : &(*domain.excluded)[which];
+    if (mask != nullptr && mask->values.empty())
+      mask = nullptr;
     voxels = map.voxels();
     values.reserve(voxels.size());
     gradients.reserve(voxels.size());
     for (const VoxelMap::Voxel& voxel : voxels) {
       Tensor<1, 3> gradient;
-      values.push_back(
-          sampler.value_and_gradient(map.loaded_position(voxel, displacement), gradient));
+      const Point<3> position = map.loaded_position(voxel, displacement);
+      values.push_back(sampler.value_and_gradient(position, gradient));
       gradients.emplace_back(gradient);
+      cover.push_back(voxel.beyond_boundary ? beyond_boundary : in_mesh);
+      if (mask != nullptr && image::nearest_label(*mask, position) != 0)
+        cover.back() = excluded;
     }
   }
 
@@ -145,7 +156,7 @@ WarpedPair ImageForce::combine(const SimilarityDomain& domain,
     for (std::size_t i = 0; i < samples[s].voxels.size(); ++i) {
       const VoxelMap::Voxel& voxel = samples[s].voxels[i];
       packed[2 * s * n + voxel.index] = samples[s].values[i];
-      packed[(2 * s + 1) * n + voxel.index] = voxel.beyond_boundary ? beyond_boundary : in_mesh;
+      packed[(2 * s + 1) * n + voxel.index] = samples[s].cover[i];
     }
   for (unsigned part = 0; part < 4; ++part)
     MPI_Allreduce(MPI_IN_PLACE, packed.data() + part * n, static_cast<int>(n), MPI_FLOAT, MPI_SUM,
@@ -155,7 +166,7 @@ WarpedPair ImageForce::combine(const SimilarityDomain& domain,
   for (unsigned s = 0; s < 2; ++s) {
     pair.values[s].assign(n, domain.air[s]);
     for (std::size_t v = 0; v < n; ++v)
-      if (packed[(2 * s + 1) * n + v] > 0.f)
+      if (packed[(2 * s + 1) * n + v] != 0.f)
         pair.values[s][v] = packed[2 * s * n + v];
   }
   for (std::size_t v = 0; v < n; ++v)
@@ -166,7 +177,8 @@ WarpedPair ImageForce::combine(const SimilarityDomain& domain,
 SimilarityResult ImageForce::evaluate(const SimilarityDomain& domain,
                                       const std::array<LoadedState, 2>& states, Variable variable,
                                       bool with_stiffness) const {
-  std::array<Samples, 2> samples{Samples(domain, states[prone]), Samples(domain, states[supine])};
+  std::array<Samples, 2> samples{Samples(domain, states[prone], prone),
+                                 Samples(domain, states[supine], supine)};
   VoxelDerivatives derivatives;
   SimilarityResult result;
   result.value = metric_->evaluate(combine(domain, samples), derivatives);
@@ -199,7 +211,8 @@ std::vector<float> ImageForce::residuals(const SimilarityDomain& domain,
 
 WarpedPair ImageForce::warp(const SimilarityDomain& domain,
                             const std::array<LoadedState, 2>& states) const {
-  return combine(domain, {Samples(domain, states[prone]), Samples(domain, states[supine])});
+  return combine(domain,
+                 {Samples(domain, states[prone], prone), Samples(domain, states[supine], supine)});
 }
 
 } // namespace prosup::similarity

@@ -43,6 +43,11 @@ std::vector<MappedLandmark> map_landmarks(const std::vector<Landmark>& landmarks
 ErrorStatistics unloaded_error(const std::vector<Landmark>& landmarks, const PointMapper& prone,
                                const PointMapper& supine);
 
+/// Distance of points of the loaded state `from` from where they are after the way to
+/// the other loaded state and back.
+ErrorStatistics inverse_consistency(const std::vector<Point<3>>& points, const PointMapper& from,
+                                    const PointMapper& to);
+
 /// One row of the table of target registration errors.
 struct ErrorRow {
   std::string step;

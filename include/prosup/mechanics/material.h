@@ -50,6 +50,7 @@ public:
 
   /// The stiffness to start with.
   const TissueStiffness& initial() const { return initial_; }
+  unsigned gland_label() const { return gland_label_; }
   /// Whether any of the labels is gland.
   bool has_gland(const std::vector<unsigned>& tissue_labels) const;
 

@@ -12,8 +12,11 @@ namespace prosup::mesh {
 /// J = det dx/dX of a linear cell: its loaded over its unloaded volume, signed.
 double jacobian(const UnloadedMesh& mesh, std::size_t cell);
 
-/// Smallest J of all cells.
-double min_jacobian(const UnloadedMesh& mesh);
+/// Smallest and largest J of all cells.
+struct JacobianRange {
+  double min, max;
+};
+JacobianRange jacobian_range(const UnloadedMesh& mesh);
 
 /// Values at the nodes of a mesh from those at the corners of its cells. Nodes
 /// of no cell get their position in the mesh.

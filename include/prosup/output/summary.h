@@ -17,7 +17,8 @@ struct StateSummary {
   std::size_t n_cells = 0;
   std::size_t n_nodes = 0;
   double min_quality = 0.;
-  std::optional<double> min_jacobian; ///< smallest J = det F of a cell
+  /// Smallest and largest J = det F of a cell.
+  std::optional<double> min_jacobian, max_jacobian;
 };
 
 /// One evaluation of the image similarity.
@@ -56,6 +57,9 @@ struct Summary {
   struct Errors { ///< mm; absent without landmarks
     std::optional<evaluation::ErrorStatistics> initial, unloaded, material, image_forces;
   } tre;
+
+  /// From prone to supine and back, at the nodes of the prone mesh, mm.
+  std::optional<evaluation::ErrorStatistics> inverse_consistency;
 
   struct Times { ///< s
     std::optional<double> mesh, unloading, material, image_forces;

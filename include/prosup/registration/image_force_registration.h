@@ -65,13 +65,14 @@ private:
   unsigned updates_per_level_ = 20;
   double image_weight_ = 0.1;
   double smallest_jacobian_ = 0.2;
-  double least_gain_ = 0.005;
+  double least_gain_ = 0.02;
   // accumulated
   std::string force_;
   unsigned steps_per_update_ = 150;
   double ramp_fraction_ = 0.5;
   double first_weight_ = 0.1;
   double momentum_ = 0.5;
+  double least_fall_ = 0.005;
 };
 
 } // namespace prosup::registration

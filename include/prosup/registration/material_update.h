@@ -32,6 +32,10 @@ struct MaterialUpdateResult {
 /// the derivatives are corrected by what it changed (Broyden) and found anew only
 /// where steps gain too little.
 ///
+/// Images of different contrast are compared by their labelled tissues
+/// (SimilaritySetup::of_tissues()): residuals of mutual information and correlation
+/// say nothing about bodies that are far apart.
+///
 /// stepwise: the paper's. Multiplies the shear modulus (and with it lambda) by a
 /// constant factor, stiffer or softer, and goes on while the similarity improves;
 /// the last, unsuccessful trial is discarded.
@@ -49,10 +53,11 @@ public:
 
 private:
   std::string method_;
+  std::string compared_;
   std::vector<std::string> properties_;
   std::vector<double> levels_{8., 4.};
   unsigned max_steps_ = 20;
-  double least_gain_ = 0.01;
+  double least_gain_ = 0.02;
   double factor_ = 1.1;
 };
 

@@ -37,7 +37,15 @@ public:
   std::string metric = "ssd";
   similarity::MetricParameters metric_parameters;
   unsigned n_layers = 2; ///< voxels around each mesh
-  double margin = 15.;   ///< of the grid around both meshes, mm
+  double margin = 5.;    ///< of the grid around both meshes, voxels
+};
+
+/// What is compared on one level.
+struct Comparison {
+  std::string metric;
+  similarity::ImageForce force;
+  similarity::SimilarityDomain domain;
+  std::array<image::ScalarImage, 2> images; ///< loaded, of the states that are held
 };
 
 /// Makes what the similarity of a pair is measured on.
@@ -56,7 +64,17 @@ public:
   /// The loaded images of the held states, smoothed for `level` mm voxels.
   std::array<image::ScalarImage, 2> images(const BodyPair& pair, double level) const;
 
+  /// The images and the chosen metric.
+  Comparison of_images(const BodyPair& pair, const similarity::Scene& scene, double level) const;
+
+  /// The tissues as labelled, air 0, fat 1/2 and gland 1, and the sum of squared differences:
+  /// what all images have in common, whatever their contrast, and smooth however far
+  /// apart the bodies are.
+  Comparison of_tissues(const BodyPair& pair, const similarity::Scene& scene, unsigned gland_label,
+                        double level) const;
+
 private:
+  MPI_Comm world_;
   const SimilarityParameters& parameters_;
   const similarity::ImageForce force_;
 };

@@ -28,6 +28,9 @@ struct SimilarityDomain {
   std::vector<bool> no_air;
   unsigned n_layers = 2;              ///< voxels added around each mesh
   std::array<float, 2> air{0.f, 0.f}; ///< intensity outside the body of either image
+  /// Labels of the loaded states that are not 0 where no force is computed; either may
+  /// be empty. Null: none. Have to live as long as the domain.
+  const std::array<image::LabelImage, 2>* excluded = nullptr;
 };
 
 /// The nodal positions by which the value is derived while the others are held.

@@ -16,8 +16,8 @@ Summary complete_summary() {
   Summary s;
   s.command = "register";
   s.ranks = 2;
-  s.prone = StateSummary{100, 30, 0.25, 0.5};
-  s.supine = StateSummary{200, 60, 0.125, 0.75};
+  s.prone = StateSummary{100, 30, 0.25, 0.5, 1.5};
+  s.supine = StateSummary{200, 60, 0.125, 0.75, 2.};
   s.steps = 4000;
   s.similarity = {{"image_forces", 4., 7, 0.5}};
   s.shear_modulus = 325.;
@@ -54,6 +54,10 @@ TEST(Summary, HoldsTheAgreedEntries) {
   "min_jacobian": {
     "prone": 0.5,
     "supine": 0.75
+  },
+  "max_jacobian": {
+    "prone": 1.5,
+    "supine": 2.0
   },
   "steps": 4000,
   "material": {
@@ -103,7 +107,7 @@ TEST(Summary, LeavesOutWhatIsNotKnown) {
   const testing::TemporaryFolder folder;
   Summary summary;
   summary.command = "mesh";
-  summary.prone = StateSummary{1, 4, 1., {}};
+  summary.prone = StateSummary{1, 4, 1., {}, {}};
   write_summary(summary, folder / "summary.json");
   const std::string text = testing::contents(folder / "summary.json");
   for (const char* absent :

@@ -157,6 +157,26 @@ TEST(ImageForce, NodalForcesSumToTheVoxelForces) {
   }
 }
 
+TEST(ImageForce, ExcludedRegionsDoNotCount) {
+  const TexturedPair pair(stretched, flattened);
+  const ImageForce force(make_metric("ssd"), MPI_COMM_WORLD);
+  auto domain = TexturedPair::domain(2., 1);
+  const double all = force.value(domain, pair.states());
+  std::array<image::LabelImage, 2> excluded;
+  domain.excluded = &excluded; // both empty: nothing is excluded
+  EXPECT_EQ(force.value(domain, pair.states()), all);
+  excluded[supine] = image::LabelImage(pair.images[supine].grid, 0);
+  for (std::size_t v = 0; v < excluded[supine].values.size() / 2; ++v)
+    excluded[supine].values[v] = 1;
+  const double part = force.value(domain, pair.states());
+  EXPECT_LT(part, 0.9 * all);
+  EXPECT_GT(part, 0.1 * all);
+  excluded[prone] = image::LabelImage(pair.images[prone].grid, 1);
+  const SimilarityResult nothing = force.evaluate(domain, pair.states());
+  EXPECT_EQ(nothing.value, 0.);
+  EXPECT_EQ(nothing.forces[prone].linfty_norm(), 0.);
+}
+
 TEST(ImageForce, VanishesWhereTheImagesAgree) {
   TexturedPair pair(stretched, stretched);
   pair.images[1] = pair.images[0];
