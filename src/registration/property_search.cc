@@ -36,10 +36,10 @@ const std::vector<Variable>& variables() {
        -0.2, std::log(0.02), std::log(0.5)},
       {"gland ratio", [](const MechanicalProperties& p) { return std::log(p.tissue.gland_ratio); },
        [](MechanicalProperties& p, double q) { p.tissue.gland_ratio = std::exp(q); }, 0.2,
-       std::log(0.5), std::log(8.)},
+       std::log(0.5), std::log(5.)},
       {"chest stiffness", [](const MechanicalProperties& p) { return std::log(p.chest_stiffness); },
        [](MechanicalProperties& p, double q) { p.chest_stiffness = std::exp(q); }, 0.2,
-       std::log(0.1), std::log(1000.)}};
+       std::log(0.5), std::log(200.)}};
   return all;
 }
 

@@ -6,6 +6,34 @@
 
 namespace prosup::registration {
 
+namespace {
+
+/// What has not settled by then, several times the steps of a first unloading, hardly
+/// will, and no step of the search is worth the time.
+constexpr unsigned max_trial_steps = 3000;
+
+/// Stops unloadings there while it lives.
+class LimitedSteps {
+public:
+  explicit LimitedSteps(BodyPair& pair) : pair_(pair) {
+    set([](unsigned n_steps) { return n_steps < max_trial_steps; });
+  }
+  ~LimitedSteps() { set(nullptr); }
+  LimitedSteps(const LimitedSteps&) = delete;
+  LimitedSteps& operator=(const LimitedSteps&) = delete;
+
+private:
+  void set(const unloading::Unloading::Observer& observer) {
+    for (const State state : {similarity::prone, similarity::supine})
+      if (pair_.ranks().holds(state))
+        pair_[state].unloading->set_observer(observer);
+  }
+
+  BodyPair& pair_;
+};
+
+} // namespace
+
 PropertyTrials::PropertyTrials(BodyPair& pair, Comparison comparison,
                                const mechanics::TissueMaterial& material, double level,
                                const Log& log, const Observer& observer,
@@ -18,12 +46,13 @@ PropertyTrials::PropertyTrials(BodyPair& pair, Comparison comparison,
 
 bool PropertyTrials::unload(const MechanicalProperties& properties) {
   ++result_.n_trials;
+  const LimitedSteps limit(pair_);
   try {
     pair_.set_properties(material_, properties);
     const auto unloaded = pair_.unload();
     result_.n_steps += unloaded[0].n_steps + unloaded[1].n_steps;
     converged_ = unloaded[0].converged && unloaded[1].converged;
-    return true;
+    return unloaded[0].n_steps < max_trial_steps && unloaded[1].n_steps < max_trial_steps;
   } catch (const Error& error) {
     log_.line(std::string("  trial rejected: ") + error.what());
     return false;

@@ -68,6 +68,7 @@ void DivergenceGuard::set_material(const std::vector<mechanics::LameParameters>&
 
 void DivergenceGuard::begin(Unloading::State state) {
   first_ = last_good_ = std::move(state);
+  values_at_begin_ = values_;
   last_good_error_ = std::numeric_limits<double>::max();
   n_retries_ = 0;
   has_kept_ = false;

@@ -31,6 +31,8 @@ public:
 
   /// A new simulation starts from this state, with all tries to go.
   void begin(Unloading::State state);
+  /// Undoes what retreats since then changed: they did not help.
+  void forget_retreats() { values_ = values_at_begin_; }
   /// Good are states under the whole load that are nearer to settled than any before:
   /// what comes before, or swings, may be about to diverge.
   bool is_good(double error) const { return error < last_good_error_; }
@@ -71,7 +73,7 @@ public:
 private:
   const UnloadingParameters& parameters_;
   const mechanics::Body& body_;
-  Values values_;
+  Values values_, values_at_begin_;
   unsigned max_retries_, n_retries_ = 0;
   double largest_head_ = 0.; ///< |g| times the extent along it, mm^2/s^2
   double mean_shear_modulus_ = 0.;

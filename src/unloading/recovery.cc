@@ -92,7 +92,9 @@ void Unloading::end_unsettled(UnloadingResult& result) {
 }
 
 void Unloading::give_up(const std::string& what) {
-  throw DivergenceError("The unloading of " + name_ + " " + what + search_load() + ".");
+  const std::string advice = search_load();
+  guard_->forget_retreats();
+  throw DivergenceError("The unloading of " + name_ + " " + what + advice + ".");
 }
 
 /// Says up to which part of gravity the body settles. Whoever has seen it settle
