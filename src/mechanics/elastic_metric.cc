@@ -4,6 +4,9 @@
 #include <deal.II/lac/solver_control.h>
 
 #include <algorithm>
+#include <cmath>
+
+#include "prosup/mechanics/cell_edges.h"
 
 namespace prosup::mechanics {
 
@@ -19,13 +22,7 @@ struct CellShape {
   double volume;                        ///< mm^3
 
   CellShape(const std::array<unsigned, 4>& nodes, const NodeVector& positions) {
-    Tensor<2, 3> edges;
-    const Tensor<1, 3> origin = node_value(positions, nodes[0]);
-    for (unsigned b = 0; b < 3; ++b) {
-      const Tensor<1, 3> edge = node_value(positions, nodes[b + 1]) - origin;
-      for (unsigned c = 0; c < 3; ++c)
-        edges[c][b] = edge[c];
-    }
+    const Tensor<2, 3> edges = cell_edges(nodes, positions);
     volume = std::abs(determinant(edges)) / 6.;
     const Tensor<2, 3> inverse = invert(edges);
     gradient[0] = Tensor<1, 3>();

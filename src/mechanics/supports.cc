@@ -77,13 +77,6 @@ void Supports::add_springs(const BoundaryIds& ids, double stiffness) {
   springs_.push_back({ids, stiffness});
 }
 
-double Supports::springs_on(types::boundary_id id) const {
-  for (const Springs& springs : springs_)
-    if (springs.ids.count(id) > 0)
-      return springs.stiffness;
-  return 0.;
-}
-
 void Supports::set_springs_on(types::boundary_id id, double stiffness) {
   for (Springs& springs : springs_)
     if (springs.ids.count(id) > 0)

@@ -36,6 +36,7 @@ public:
     SimilarityResult current = evaluate();
     record(0, 0., current.value);
     unsigned n_rejected = 0, n_idle = 0;
+    const unsigned n_before = result.n_updates;
     for (unsigned i = 1; i <= parameters_.updates_per_level_;) {
       const BodyPair::Snapshot before = pair_.save();
       SimilarityResult next;
@@ -60,6 +61,8 @@ public:
         break;
       weight *= weight_growth;
     }
+    log_.line(format("  level %g mm: %s %.4g after %u updates", level_, setup_.metric().c_str(),
+                     current.value, result.n_updates - n_before));
     return weight;
   }
 

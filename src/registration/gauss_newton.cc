@@ -6,13 +6,14 @@
 #include <memory>
 #include <utility>
 
+#include "prosup/mechanics/cell_edges.h"
 #include "prosup/mechanics/elastic_metric.h"
 #include "prosup/registration/image_force_registration.h"
 
 namespace prosup::registration {
 
 using namespace dealii;
-using mechanics::node_value;
+using mechanics::cell_edges;
 using mechanics::NodeVector;
 using similarity::prone;
 using similarity::SimilarityDomain;
@@ -24,19 +25,13 @@ constexpr std::array<State, 2> both{prone, supine};
 constexpr double shortest_step = 0.05; // of a Gauss-Newton step
 constexpr double linear_tolerance = 1e-2;
 
-double volume(const std::array<unsigned, 4>& nodes, const NodeVector& positions) {
-  const Tensor<1, 3> origin = node_value(positions, nodes[0]);
-  return cross_product_3d(node_value(positions, nodes[1]) - origin,
-                          node_value(positions, nodes[2]) - origin) *
-         (node_value(positions, nodes[3]) - origin) / 6.;
-}
-
 /// Smallest J = det dx/dX of a cell; 0 if one is inverted.
 double smallest_jacobian(const mechanics::Body& body, const NodeVector& unloaded) {
   double smallest = std::numeric_limits<double>::max();
   for (const auto& cell : body.cells()) {
-    const double V = volume(cell, unloaded);
-    smallest = std::min(smallest, V > 0. ? volume(cell, body.vertex_positions()) / V : 0.);
+    const double V = determinant(cell_edges(cell, unloaded)),
+                 v = determinant(cell_edges(cell, body.vertex_positions()));
+    smallest = std::min(smallest, V > 0. ? v / V : 0.);
   }
   return smallest;
 }
@@ -94,6 +89,8 @@ public:
       if (gain < parameters_.least_gain_ * gained)
         break;
     }
+    log_.line(format("  level %g mm: %s %.4g after %u updates", level, setup_.metric().c_str(),
+                     point.similarity.value, n_updates));
     return n_updates;
   }
 

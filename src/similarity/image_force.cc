@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "prosup/image/sampling.h"
+#include "prosup/mechanics/cell_edges.h"
 #include "prosup/similarity/voxel_map.h"
 
 namespace prosup::similarity {
@@ -25,18 +26,6 @@ NodeVector displacement_of(const LoadedState& state) {
   for (unsigned i = 0; i < 3 * state.body->n_local_nodes(); ++i)
     displacement.local_element(i) = loaded.local_element(i) - state.unloaded->local_element(i);
   return displacement;
-}
-
-/// Columns are the edges from the first corner.
-Tensor<2, 3> edges(const std::array<unsigned, 4>& cell, const NodeVector& positions) {
-  Tensor<2, 3> edges;
-  for (unsigned b = 0; b < 3; ++b) {
-    const Tensor<1, 3> edge =
-        mechanics::node_value(positions, cell[b + 1]) - mechanics::node_value(positions, cell[0]);
-    for (unsigned c = 0; c < 3; ++c)
-      edges[c][b] = edge[c];
-  }
-  return edges;
 }
 
 double residual_variance(const VoxelDerivatives& derivatives, double voxel_volume) {
@@ -101,8 +90,8 @@ struct ImageForce::Samples {
     std::vector<Tensor<2, 3>> factors;
     factors.reserve(state.body->cells().size());
     for (const auto& cell : state.body->cells()) {
-      const Tensor<2, 3> F =
-          edges(cell, state.body->vertex_positions()) * invert(edges(cell, *state.unloaded));
+      const Tensor<2, 3> F = mechanics::cell_edges(cell, state.body->vertex_positions()) *
+                             invert(mechanics::cell_edges(cell, *state.unloaded));
       factors.push_back(variable == Variable::unloaded ? -transpose(F) : F * transpose(F));
     }
     for (std::size_t i = 0; i < voxels.size(); ++i)

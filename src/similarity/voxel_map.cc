@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "prosup/mechanics/cell_edges.h"
 #include "prosup/mesh/scan_conversion.h"
 
 namespace prosup::similarity {
@@ -21,15 +22,8 @@ struct Barycentric {
   Tensor<2, 3> inverse_edges;
 
   Barycentric(const std::array<unsigned, 4>& corners, const NodeVector& positions)
-      : origin(node_value(positions, corners[0])) {
-    Tensor<2, 3> edges;
-    for (unsigned b = 0; b < 3; ++b) {
-      const Tensor<1, 3> edge = node_value(positions, corners[b + 1]) - origin;
-      for (unsigned c = 0; c < 3; ++c)
-        edges[c][b] = edge[c];
-    }
-    inverse_edges = invert(edges);
-  }
+      : origin(node_value(positions, corners[0])),
+        inverse_edges(invert(mechanics::cell_edges(corners, positions))) {}
 
   std::array<double, 4> weights(const Point<3>& position) const {
     const Tensor<1, 3> w = inverse_edges * (position - origin);

@@ -82,6 +82,7 @@ TEST_P(Register, MeshesHaveTheStoredSize) {
     EXPECT_NEAR(mesh.at("nodes").get<double>(), nodes, 0.02 * nodes) << state;
     EXPECT_GT(mesh.at("min_quality").get<double>(), 0.) << state;
     EXPECT_GT(summary().at("min_jacobian").at(state).get<double>(), 0.) << state;
+    EXPECT_GT(summary().at("max_jacobian").at(state).get<double>(), 1.) << state;
   }
 }
 
@@ -90,6 +91,8 @@ TEST_P(Register, SummaryHoldsWhatOthersRelyOn) {
   EXPECT_EQ(summary().at("ranks").get<unsigned>(), GetParam());
   EXPECT_FALSE(summary().at("version").get<std::string>().empty());
   EXPECT_GT(summary().at("steps").get<double>(), 100.);
+  EXPECT_LT(summary().at("inverse_consistency").at("mean").get<double>(), 0.05);
+  EXPECT_GT(summary().at("inverse_consistency").at("n").get<double>(), 500.);
   EXPECT_GT(summary().at("peak_memory").get<double>(), 10.);
   const Json& time = summary().at("time");
   double stages = 0.;

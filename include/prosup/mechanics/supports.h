@@ -59,10 +59,8 @@ public:
 
   /// Adds springs of `stiffness` (Pa/mm) to these boundaries.
   void add_springs(const BoundaryIds& ids, double stiffness);
-  /// Stiffness of the springs on a boundary, Pa/mm; 0 if there are none. Local.
-  double springs_on(dealii::types::boundary_id id) const;
-  /// Changes it for all springs that stand on this boundary, from the next
-  /// set_reference() on. Local.
+  /// Changes the stiffness (Pa/mm) of all springs that stand on this boundary, from the
+  /// next set_reference() on. Local.
   void set_springs_on(dealii::types::boundary_id id, double stiffness);
 
   /// `correction` is that of ContactMethod::gradual.
