@@ -1,5 +1,7 @@
 #include "prosup/registration/image_force_registration.h"
 
+#include "descent_scheme.h"
+#include "prosup/core/error.h"
 #include "prosup/core/parameters.h"
 
 namespace prosup::registration {
@@ -10,20 +12,29 @@ using similarity::supine;
 
 namespace {
 
-const std::vector<std::string> scheme_names{"gauss-newton", "accumulated"};
+constexpr const char* accumulated = "accumulated";
+
+std::vector<std::string> scheme_names() {
+  std::vector<std::string> names = descent_scheme_names();
+  names.emplace_back(accumulated);
+  return names;
+}
+
 const std::vector<std::string> force_names{"exact", "transformed"};
 
 } // namespace
 
 ImageForceRegistration::ImageForceRegistration()
-    : ParameterAcceptor("Image forces"), scheme_(scheme_names.front()),
+    : ParameterAcceptor("Image forces"), scheme_(scheme_names().front()),
       force_(force_names.front()) {}
 
 void ImageForceRegistration::declare_parameters(ParameterHandler& prm) {
   prm.add_parameter("Scheme", scheme_,
-                    "gauss-newton: steps with the stiffness of body and images. accumulated: the "
-                    "paper's, forces added up in the running simulation (eq. 15).",
-                    one_of(scheme_names));
+                    "gauss-newton: steps with the stiffness of body and images. l-bfgs, "
+                    "steepest-descent: with that of the body alone, as starting point or "
+                    "throughout. accumulated: the paper's, forces added up in the running "
+                    "simulation (eq. 15).",
+                    one_of(scheme_names()));
   prm.add_parameter("Levels", levels_,
                     "Edges of the voxels of the similarity grid, from coarse to fine. Units: mm.",
                     Patterns::List(Patterns::Double(0.1, 50.), 0, 20));
@@ -32,7 +43,7 @@ void ImageForceRegistration::declare_parameters(ParameterHandler& prm) {
                     Patterns::Integer(0, 10000));
   prm.add_parameter(
       "Image weight", image_weight_,
-      "gauss-newton: w in kappa = w mu/sigma^2, the weight of the images against the "
+      "All but accumulated: w in kappa = w mu/sigma^2, the weight of the images against the "
       "elasticity of the body; sigma^2 is the variance of their residual. Units: none.",
       Patterns::Double(1e-9, 1e6));
   prm.add_parameter(
@@ -41,7 +52,7 @@ void ImageForceRegistration::declare_parameters(ParameterHandler& prm) {
       Patterns::Double(0., 1.));
   prm.add_parameter(
       "Least gain", least_gain_,
-      "gauss-newton: a level ends with an update that lowers what is minimised by less "
+      "All but accumulated: a level ends with an update that lowers what is minimised by less "
       "than this part of all that was gained on it. Units: none.",
       Patterns::Double(0., 1.));
   prm.add_parameter("Force", force_,
@@ -76,13 +87,18 @@ ImageForceResult ImageForceRegistration::run(BodyPair& pair, const SimilaritySet
                                              const similarity::Scene& scene, const Log& log,
                                              const Observer& observer) const {
   ImageForceResult result;
-  if (scheme_ == "gauss-newton")
-    run_gauss_newton(pair, setup, scene, log, observer, result);
-  else
+  if (scheme_ == accumulated)
     run_accumulated(pair, setup, scene, log, observer, result);
-  const auto settled = pair.unload();
-  result.n_steps += settled[prone].n_steps + settled[supine].n_steps;
-  result.converged = settled[prone].converged && settled[supine].converged;
+  else
+    run_descent(pair, setup, scene, log, observer, result);
+  try {
+    const auto settled = pair.unload();
+    result.n_steps += settled[prone].n_steps + settled[supine].n_steps;
+    result.converged = settled[prone].converged && settled[supine].converged;
+  } catch (const DivergenceError& error) { // which has restored the last good state
+    log.line(std::string("  ") + error.what());
+    result.converged = false;
+  }
   return result;
 }
 

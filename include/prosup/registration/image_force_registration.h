@@ -21,7 +21,8 @@ struct ImageForceResult {
 /// Pushes the unloaded breasts together with image forces, from coarse to fine
 /// image levels. Section "Image forces".
 ///
-/// gauss-newton: minimises, in the unloaded positions X of both states,
+/// gauss-newton, l-bfgs and steepest-descent minimise, in the unloaded positions X of
+/// both states,
 ///   phi(X) = kappa S(X) + 1/2 sum_states (X - X0)^T K (X - X0),
 /// S being the similarity, X0 the positions without image forces and K the
 /// stiffness of the body at X0. With the image's own stiffness H (Gauss-Newton, see
@@ -29,7 +30,8 @@ struct ImageForceResult {
 ///   (K + 2 kappa H) dX = -kappa dS/dX - K (X - X0).
 /// The two is that of the other state, which moves against this one: were both
 /// images and bodies the same, the two equations would be the Newton step of
-/// both together. A step that does not lower phi or brings an element near
+/// both together. Steepest descent has K alone on the left, the metric of the body;
+/// L-BFGS starts from that. A step that does not lower phi or brings an element near
 /// inversion is halved. kappa = w mu/sigma^2 with the variance of the residual
 /// sigma^2 (SimilarityResult::residual_variance) as it is at present, so that one
 /// weight w serves all contrasts, and images count more the better they fit. The
@@ -46,17 +48,17 @@ public:
   ImageForceRegistration();
   void declare_parameters(dealii::ParameterHandler& prm) override;
 
-  /// The pair has to be unloaded with its properties.
+  /// The pair has to be unloaded with its properties. If it does not settle under the
+  /// final forces it keeps its last good state, and `log` says why.
   ImageForceResult run(BodyPair& pair, const SimilaritySetup& setup, const similarity::Scene& scene,
                        const Log& log, const Observer& observer = {}) const;
 
 private:
   class Accumulation;
-  class GaussNewton;
+  class Descent;
 
-  void run_gauss_newton(BodyPair& pair, const SimilaritySetup& setup,
-                        const similarity::Scene& scene, const Log& log, const Observer& observer,
-                        ImageForceResult& result) const;
+  void run_descent(BodyPair& pair, const SimilaritySetup& setup, const similarity::Scene& scene,
+                   const Log& log, const Observer& observer, ImageForceResult& result) const;
   void run_accumulated(BodyPair& pair, const SimilaritySetup& setup, const similarity::Scene& scene,
                        const Log& log, const Observer& observer, ImageForceResult& result) const;
 

@@ -169,8 +169,11 @@ TEST(MaterialUpdate, SearchFindsBothElasticConstants) {
 }
 
 TEST(ImageForceRegistration, BringsBothStatesTogether) {
-  const std::pair<const char*, const char*> schemes[] = {
-      {"gauss-newton", "exact"}, {"accumulated", "exact"}, {"accumulated", "transformed"}};
+  const std::pair<const char*, const char*> schemes[] = {{"gauss-newton", "exact"},
+                                                         {"l-bfgs", "exact"},
+                                                         {"steepest-descent", "exact"},
+                                                         {"accumulated", "exact"},
+                                                         {"accumulated", "transformed"}};
   for (const auto& [scheme, force] : schemes) {
     Scene scene;
     scene.unload(1.4 * true_shear_modulus);
