@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "prosup/core/error.h"
@@ -59,6 +60,9 @@ void check(const mesh::UnloadedMesh& mesh) {
     throw Error("The mesh has node positions that are not finite numbers, so that no point can be "
                 "mapped with it; repeat the unloading.");
 }
+
+constexpr double inverse_tolerance = 1e-4; // mm
+constexpr unsigned max_iterations = 30;
 
 /// Scratch memory of VTK's locators, one per thread because they write to it.
 vtkGenericCell* thread_cell() {
@@ -149,7 +153,24 @@ MappedPoint PointMapper::map(const Point<3>& point, State from) const {
                 "are LPS, mm.");
   const Configuration& here = from == State::loaded ? *loaded_ : *unloaded_;
   const Configuration& there = from == State::loaded ? *unloaded_ : *loaded_;
-  return here.map(point, there);
+  MappedPoint mapped = here.map(point, there);
+  if (from == State::loaded && mapped.distance_outside > 0.)
+    mapped.position = inverse_outside(point, mapped.position);
+  return mapped;
+}
+
+Point<3> PointMapper::inverse_outside(const Point<3>& loaded, const Point<3>& guess) const {
+  Point<3> best = guess, unloaded = guess;
+  double least = std::numeric_limits<double>::max();
+  for (unsigned i = 0; i < max_iterations && least > inverse_tolerance; ++i) {
+    const Tensor<1, 3> missing = loaded - unloaded_->map(unloaded, *loaded_).position;
+    if (missing.norm() < least) {
+      least = missing.norm();
+      best = unloaded;
+    }
+    unloaded += missing;
+  }
+  return best;
 }
 
 } // namespace prosup::evaluation

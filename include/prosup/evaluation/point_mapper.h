@@ -23,8 +23,10 @@ struct MappedPoint {
 ///
 /// In the mesh the map is that of the linear elements: the barycentric weights
 /// of the tetrahedron that holds the point are applied to its corners in the
-/// other configuration. Outside, a point p moves with the closest point c of
-/// the mesh surface, p + d(c), which continues the map without a jump.
+/// other configuration. Outside, an unloaded point X moves with the closest point c of
+/// the mesh surface, X + d(c), which continues the map without a jump, and a loaded one to
+/// where that map comes from, so that the two are inverse to each other; where the
+/// inverse is not found (in folds of the skin) to the nearest point tried.
 ///
 /// Queries may be made from several threads at once.
 class PointMapper {
@@ -52,6 +54,10 @@ public:
 
 private:
   class Configuration;
+
+  /// X near `guess` with X + d(c(X)) = loaded, by fixed-point iteration.
+  Point<3> inverse_outside(const Point<3>& loaded, const Point<3>& guess) const;
+
   std::unique_ptr<Configuration> loaded_, unloaded_;
 };
 

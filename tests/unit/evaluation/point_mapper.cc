@@ -97,6 +97,18 @@ TEST(PointMapper, OutsideMovesWithTheClosestPoint) {
   EXPECT_NEAR(mapper.distance_outside(Point<3>(1e4, 3., 7.), State::unloaded), 1e4 - high[0], 1e-6);
 }
 
+TEST(PointMapper, OutsideThereAndBackReturnsThePoint) {
+  const PointMapper mapper(bent_mesh());
+  const dealii::Tensor<1, 3> margin({4., 4., 4.});
+  unsigned n_outside = 0;
+  for (const auto& x : random_points(low - margin, high + margin, 3000)) {
+    const MappedPoint there = mapper.map(x, State::loaded);
+    EXPECT_LT(mapper.to_loaded(there.position).distance(x), 1e-3);
+    n_outside += there.distance_outside > 1.;
+  }
+  EXPECT_GT(n_outside, 500u);
+}
+
 TEST(PointMapper, ThreadsMayAskAtOnce) {
   const PointMapper mapper(bent_mesh());
   const auto points = random_points(Point<3>(-25., -20., -15.), high, 4000);
