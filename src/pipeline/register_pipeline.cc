@@ -12,6 +12,7 @@
 #include "prosup/mesh/quality.h"
 #include "prosup/output/pictures.h"
 #include "prosup/output/vtu.h"
+#include "prosup/pipeline/body_building.h"
 #include "prosup/pipeline/chest_alignment.h"
 #include "prosup/pipeline/result_images.h"
 
@@ -44,7 +45,8 @@ std::filesystem::path shared_path(const ResultFolder* folder, MPI_Comm communica
 RegisterPipeline::RegisterPipeline(const Stages& stages, const ParameterHandler& parameters,
                                    MPI_Comm world)
     : stages_(stages), parameters_(parameters), log_(world), ranks_(world),
-      timer_(ranks_.world(), log_), pair_(ranks_) {
+      timer_(ranks_.world(), log_),
+      method_(make_method(stages.scene.method(), stages, ranks_, log_)) {
   summary_.command = "register";
   summary_.metric = stages.similarity.metric;
   summary_.ranks = Utilities::MPI::n_mpi_processes(world);
@@ -95,23 +97,19 @@ void RegisterPipeline::align() {
 }
 
 void RegisterPipeline::build() {
-  meshes_ = build_bodies(stages_, inputs_, pair_, log_);
+  method_->build(inputs_);
 }
 
 void RegisterPipeline::unload() {
-  pair_.set_properties(stages_.material, {stages_.material.initial(),
-                                          stages_.supports.chest_stiffness(stages_.scene.chest())});
-  record(pair_.unload());
+  record(method_->unload());
   evaluate(summary_.tre.unloaded);
 }
 
 void RegisterPipeline::update_material() {
-  const registration::SimilaritySetup similarity(stages_.similarity, ranks_.world());
-  const registration::MaterialUpdateResult result = stages_.material_update.run(
-      pair_, similarity, inputs_.scene, stages_.material, log_, observer());
+  const registration::MaterialUpdateResult result = method_->update_material(observer());
   *summary_.steps += result.n_steps;
   summary_.converged = summary_.converged && result.converged;
-  const registration::MechanicalProperties& found = pair_.properties();
+  const registration::MechanicalProperties& found = method_->properties();
   summary_.shear_modulus = found.tissue.shear_modulus;
   summary_.poisson_ratio = found.tissue.poisson_ratio;
   summary_.gland_ratio = found.tissue.gland_ratio;
@@ -123,9 +121,7 @@ void RegisterPipeline::update_material() {
 }
 
 void RegisterPipeline::push_with_image_forces() {
-  const registration::SimilaritySetup similarity(stages_.similarity, ranks_.world());
-  const registration::ImageForceResult result =
-      stages_.image_forces.run(pair_, similarity, inputs_.scene, log_, observer());
+  const registration::ImageForceResult result = method_->push_with_image_forces(observer());
   *summary_.steps += result.n_steps;
   summary_.converged = summary_.converged && result.converged;
   evaluate(summary_.tre.image_forces);
@@ -133,7 +129,7 @@ void RegisterPipeline::push_with_image_forces() {
 
 registration::Observer RegisterPipeline::observer() {
   return [this](const registration::SimilarityRecord& record) {
-    const registration::MechanicalProperties& properties = pair_.properties();
+    const registration::MechanicalProperties& properties = method_->properties();
     output::ConvergenceEntry& entry = convergence_.emplace_back();
     entry = {record.stage,
              record.level,
@@ -153,7 +149,7 @@ registration::Observer RegisterPipeline::observer() {
 }
 
 void RegisterPipeline::evaluate(std::optional<evaluation::ErrorStatistics>& error) {
-  unloaded_ = gather_unloaded(meshes_, pair_);
+  unloaded_ = method_->unloaded();
   on_root(ranks_.world(), [&] { error = landmarks_.evaluate(unloaded_); });
 }
 
@@ -168,7 +164,7 @@ void RegisterPipeline::record(const std::array<unloading::UnloadingResult, 2>& r
 
 void RegisterPipeline::add_mesh_summaries() {
   for (const auto state : {prone, supine}) {
-    const mesh::MeshQuality quality = mesh::measure_quality(meshes_[state]);
+    const mesh::MeshQuality quality = mesh::measure_quality(unloaded_[state].mesh);
     const mesh::JacobianRange jacobian = mesh::jacobian_range(unloaded_[state]);
     (state == prone ? summary_.prone : summary_.supine) = {
         quality.n_cells, quality.n_nodes, quality.min_quality, jacobian.min, jacobian.max};
@@ -179,7 +175,7 @@ void RegisterPipeline::write(const std::filesystem::path& folder) {
   on_root(ranks_.world(), [&] {
     add_mesh_summaries();
     summary_.inverse_consistency = evaluation::inverse_consistency(
-        meshes_[prone].points, evaluation::PointMapper(unloaded_[prone]),
+        unloaded_[prone].mesh.points, evaluation::PointMapper(unloaded_[prone]),
         evaluation::PointMapper(unloaded_[supine]));
     if (!summary_.converged)
       summary_.warnings.push_back("a simulation did not settle within 'Unloading/Maximum steps'");

@@ -3,6 +3,7 @@
 #include "descent_scheme.h"
 #include "prosup/core/error.h"
 #include "prosup/core/parameters.h"
+#include "prosup/registration/simulated_bodies.h"
 
 namespace prosup::registration {
 
@@ -84,22 +85,29 @@ void ImageForceRegistration::declare_parameters(ParameterHandler& prm) {
 }
 
 ImageForceResult ImageForceRegistration::run(BodyPair& pair, const SimilaritySetup& setup,
-                                             const similarity::Scene& scene, const Log& log,
-                                             const Observer& observer) const {
+                                             const similarity::Scene& scene,
+                                             const mechanics::TissueMaterial& material,
+                                             const Log& log, const Observer& observer) const {
+  if (scheme_ == accumulated) {
+    SimulatedBodies bodies(pair, setup, scene, material);
+    return accumulate(bodies, log, observer);
+  }
   ImageForceResult result;
-  if (scheme_ == accumulated)
-    run_accumulated(pair, setup, scene, log, observer, result);
-  else
-    run_descent(pair, setup, scene, log, observer, result);
+  run_descent(pair, setup, scene, log, observer, result);
+  settle([&] { return pair.unload(); }, log, result);
+  return result;
+}
+
+void ImageForceRegistration::settle(const Settle& unload, const Log& log,
+                                    ImageForceResult& result) {
   try {
-    const auto settled = pair.unload();
+    const auto settled = unload();
     result.n_steps += settled[prone].n_steps + settled[supine].n_steps;
     result.converged = settled[prone].converged && settled[supine].converged;
   } catch (const DivergenceError& error) { // which has restored the last good state
     log.line(std::string("  ") + error.what());
     result.converged = false;
   }
-  return result;
 }
 
 } // namespace prosup::registration

@@ -70,20 +70,16 @@ void MaterialUpdate::declare_parameters(ParameterHandler& prm) {
       Patterns::Double(1.0001, 10.));
 }
 
-MaterialUpdateResult MaterialUpdate::run(BodyPair& pair, const SimilaritySetup& setup,
-                                         const similarity::Scene& scene,
-                                         const mechanics::TissueMaterial& material, const Log& log,
-                                         const Observer& observer) const {
+MaterialUpdateResult MaterialUpdate::run(SimulatedPair& pair, const std::string& metric,
+                                         const Log& log, const Observer& observer) const {
   MaterialUpdateResult result;
   if (method_ == "none")
     return result;
-  const bool by_images =
-      compared_ == "images" || (compared_ == "automatic" && setup.metric() == "ssd");
+  const Compared compared = compared_ == "images" || (compared_ == "automatic" && metric == "ssd")
+                                ? Compared::images
+                                : Compared::tissues;
   const auto trials_on = [&](double level) {
-    return PropertyTrials(pair,
-                          by_images ? setup.of_images(pair, scene, level)
-                                    : setup.of_tissues(pair, scene, material.gland_label(), level),
-                          material, level, log, observer, result);
+    return PropertyTrials(pair, level, compared, log, observer, result);
   };
   if (method_ == "stepwise") {
     PropertyTrials trials = trials_on(levels_.back());
@@ -93,8 +89,7 @@ MaterialUpdateResult MaterialUpdate::run(BodyPair& pair, const SimilaritySetup& 
   }
   for (const double level : levels_) {
     PropertyTrials trials = trials_on(level);
-    search_properties(properties_, trials, pair.has_gland(material), max_steps_, least_gain_,
-                      level == levels_.back());
+    search_properties(properties_, trials, max_steps_, least_gain_, level == levels_.back());
   }
   return result;
 }

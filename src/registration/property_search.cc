@@ -162,12 +162,12 @@ const std::vector<std::string>& property_names() {
 }
 
 void search_properties(const std::vector<std::string>& names, PropertyTrials& trials,
-                       bool has_gland, unsigned max_steps, double least_gain, bool to_the_end) {
+                       unsigned max_steps, double least_gain, bool to_the_end) {
   std::vector<const Variable*> chosen;
   for (const Variable& variable : variables()) {
     const std::string name = variable.name;
     if (std::find(names.begin(), names.end(), name) != names.end() &&
-        (name != "gland ratio" || has_gland) &&
+        (name != "gland ratio" || trials.has_gland()) &&
         (name != "chest stiffness" || trials.best().chest_stiffness > 0.))
       chosen.push_back(&variable);
   }

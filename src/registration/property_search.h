@@ -16,7 +16,7 @@ const std::vector<std::string>& property_names();
 /// along the steps and found anew where these gain too little; unless the search is to
 /// go to the end, it stops there.
 void search_properties(const std::vector<std::string>& names, PropertyTrials& trials,
-                       bool has_gland, unsigned max_steps, double least_gain, bool to_the_end);
+                       unsigned max_steps, double least_gain, bool to_the_end);
 
 } // namespace prosup::registration
 

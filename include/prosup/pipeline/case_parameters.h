@@ -34,6 +34,8 @@ public:
   unsigned state() const { return state_ == "prone" ? 0 : 1; }
 
   unloading::ChestCondition chest() const;
+  /// Of method_names().
+  const std::string& method() const { return method_; }
 
   std::array<std::string, 2> images; ///< prone, supine
   std::array<std::string, 2> labels;

@@ -12,11 +12,10 @@
 #include "prosup/core/log.h"
 #include "prosup/output/convergence.h"
 #include "prosup/output/summary.h"
-#include "prosup/pipeline/body_building.h"
 #include "prosup/pipeline/landmark_evaluation.h"
+#include "prosup/pipeline/registration_method.h"
 #include "prosup/pipeline/stage_timer.h"
 #include "prosup/pipeline/stages.h"
-#include "prosup/registration/body_pair.h"
 
 namespace prosup::pipeline {
 
@@ -53,10 +52,9 @@ private:
   const Log log_;
   const registration::RankSplit ranks_;
   StageTimer timer_;
-  registration::BodyPair pair_;
+  const std::unique_ptr<RegistrationMethod> method_;
   LandmarkEvaluation landmarks_;
   Inputs inputs_;
-  MeshPair meshes_;
   std::array<mesh::UnloadedMesh, 2> unloaded_;
   std::vector<output::ConvergenceEntry> convergence_;
   output::Summary summary_;

@@ -10,6 +10,7 @@
 
 #include "prosup/image/voxel_image.h"
 #include "prosup/mechanics/material.h"
+#include "prosup/registration/simulated_pair.h"
 #include "prosup/similarity/image_force.h"
 #include "prosup/unloading/unloading.h"
 
@@ -39,14 +40,6 @@ private:
   MPI_Comm group_;
   std::array<bool, 2> holds_{};
   std::array<int, 2> first_rank_{};
-};
-
-/// What the mechanics of a breast are not known well enough for, and may be found
-/// from its images.
-struct MechanicalProperties {
-  mechanics::TissueStiffness tissue;
-  /// Of the springs between the base and the chest wall, Pa/mm; 0 if there are none.
-  double chest_stiffness = 0.;
 };
 
 /// One state of the breast, where this rank works on it.

@@ -3,6 +3,8 @@
 
 #include <deal.II/base/parameter_acceptor.h>
 
+#include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -48,10 +50,16 @@ public:
   ImageForceRegistration();
   void declare_parameters(dealii::ParameterHandler& prm) override;
 
-  /// The pair has to be unloaded with its properties. If it does not settle under the
-  /// final forces it keeps its last good state, and `log` says why.
+  /// Pushes the bodies of `pair` by the chosen scheme. The pair has to be unloaded with its
+  /// properties. If it does not settle under the final forces it keeps its last good
+  /// state, and `log` says why.
   ImageForceResult run(BodyPair& pair, const SimilaritySetup& setup, const similarity::Scene& scene,
-                       const Log& log, const Observer& observer = {}) const;
+                       const mechanics::TissueMaterial& material, const Log& log,
+                       const Observer& observer = {}) const;
+
+  /// Pushes any pair by the scheme `accumulated`, whatever was chosen.
+  ImageForceResult accumulate(SimulatedPair& pair, const Log& log,
+                              const Observer& observer = {}) const;
 
 private:
   class Accumulation;
@@ -59,8 +67,10 @@ private:
 
   void run_descent(BodyPair& pair, const SimilaritySetup& setup, const similarity::Scene& scene,
                    const Log& log, const Observer& observer, ImageForceResult& result) const;
-  void run_accumulated(BodyPair& pair, const SimilaritySetup& setup, const similarity::Scene& scene,
-                       const Log& log, const Observer& observer, ImageForceResult& result) const;
+
+  /// Unloads until all is at rest.
+  using Settle = std::function<std::array<unloading::UnloadingResult, 2>()>;
+  static void settle(const Settle& unload, const Log& log, ImageForceResult& result);
 
   std::string scheme_;
   std::vector<double> levels_{4., 2., 1.};

@@ -7,9 +7,8 @@
 #include <vector>
 
 #include "prosup/core/log.h"
-#include "prosup/mechanics/material.h"
-#include "prosup/registration/body_pair.h"
 #include "prosup/registration/similarity_setup.h"
+#include "prosup/registration/simulated_pair.h"
 
 namespace prosup::registration {
 
@@ -45,10 +44,9 @@ public:
   void declare_parameters(dealii::ParameterHandler& prm) override;
 
   /// The pair has to be unloaded with its properties, and is left unloaded with
-  /// those that were found, `BodyPair::properties()`.
-  MaterialUpdateResult run(BodyPair& pair, const SimilaritySetup& setup,
-                           const similarity::Scene& scene,
-                           const mechanics::TissueMaterial& material, const Log& log,
+  /// those that were found, `SimulatedPair::properties()`. `metric` is that of the section
+  /// "Similarity".
+  MaterialUpdateResult run(SimulatedPair& pair, const std::string& metric, const Log& log,
                            const Observer& observer = {}) const;
 
 private:

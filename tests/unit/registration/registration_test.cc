@@ -10,6 +10,7 @@
 #include "prosup/registration/image_force_registration.h"
 #include "prosup/registration/material_update.h"
 #include "prosup/registration/similarity_setup.h"
+#include "prosup/registration/simulated_bodies.h"
 
 using namespace dealii;
 using namespace prosup;
@@ -142,7 +143,8 @@ TEST(MaterialUpdate, StepwiseFindsTheShearModulusFromEitherSide) {
   for (const double factor : {1.1 * 1.1 * 1.1, 1. / (1.1 * 1.1)}) {
     scene.unload(factor * true_shear_modulus);
     const double before = scene.error();
-    const auto result = update->run(scene.pair, setup, scene.surroundings, scene.material, Log());
+    SimulatedBodies bodies(scene.pair, setup, scene.surroundings, scene.material);
+    const auto result = update->run(bodies, setup.metric(), Log());
     EXPECT_NEAR(scene.pair.properties().tissue.shear_modulus, true_shear_modulus,
                 0.051 * true_shear_modulus);
     EXPECT_TRUE(result.converged);
@@ -157,7 +159,8 @@ TEST(MaterialUpdate, SearchFindsBothElasticConstants) {
   for (const double factor : {1.7, 0.75}) {
     scene.unload(factor * true_shear_modulus, 0.34);
     const double before = scene.error();
-    const auto result = update->run(scene.pair, setup, scene.surroundings, scene.material, Log());
+    SimulatedBodies bodies(scene.pair, setup, scene.surroundings, scene.material);
+    const auto result = update->run(bodies, setup.metric(), Log());
     const mechanics::TissueStiffness& found = scene.pair.properties().tissue;
     EXPECT_NEAR(found.shear_modulus, true_shear_modulus, 0.03 * true_shear_modulus);
     EXPECT_NEAR(found.poisson_ratio, 0.4, 0.015);
@@ -183,7 +186,7 @@ TEST(ImageForceRegistration, BringsBothStatesTogether) {
         {{"Scheme", scheme}, {"Force", force}, {"Levels", "4, 2"}});
     std::vector<double> values;
     const auto result =
-        registration->run(scene.pair, setup, scene.surroundings, Log(),
+        registration->run(scene.pair, setup, scene.surroundings, scene.material, Log(),
                           [&](const SimilarityRecord& record) { values.push_back(record.value); });
     ASSERT_GT(result.n_updates, 2u);
     EXPECT_TRUE(result.converged);

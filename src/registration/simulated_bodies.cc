@@ -1,0 +1,72 @@
+#include "prosup/registration/simulated_bodies.h"
+
+#include <utility>
+
+namespace prosup::registration {
+
+using unloading::UnloadingResult;
+
+namespace {
+
+/// Stops unloadings after a number of steps while it lives.
+class LimitedSteps {
+public:
+  LimitedSteps(BodyPair& pair, unsigned max_steps) : pair_(pair) {
+    set([max_steps](unsigned n_steps) { return n_steps < max_steps; });
+  }
+  ~LimitedSteps() { set(nullptr); }
+  LimitedSteps(const LimitedSteps&) = delete;
+  LimitedSteps& operator=(const LimitedSteps&) = delete;
+
+private:
+  void set(const unloading::Unloading::Observer& observer) {
+    for (const State state : {similarity::prone, similarity::supine})
+      if (pair_.ranks().holds(state))
+        pair_[state].unloading->set_observer(observer);
+  }
+
+  BodyPair& pair_;
+};
+
+} // namespace
+
+std::array<UnloadingResult, 2> SimulatedBodies::unload(unsigned max_steps) {
+  if (max_steps == 0)
+    return pair_.unload();
+  const LimitedSteps limit(pair_, max_steps);
+  return pair_.unload();
+}
+
+void SimulatedBodies::compare_on(double level, Compared compared) {
+  comparison_.emplace(compared == Compared::images
+                          ? setup_.of_images(pair_, scene_, level)
+                          : setup_.of_tissues(pair_, scene_, material_.gland_label(), level));
+}
+
+double SimulatedBodies::value() const {
+  return comparison_->force.value(comparison_->domain, pair_.loaded_states(comparison_->images));
+}
+
+std::vector<float> SimulatedBodies::residuals() const {
+  return comparison_->force.residuals(comparison_->domain,
+                                      pair_.loaded_states(comparison_->images));
+}
+
+double SimulatedBodies::find_forces(similarity::Variable variable) {
+  similarity::SimilarityResult result = comparison_->force.evaluate(
+      comparison_->domain, pair_.loaded_states(comparison_->images), variable);
+  forces_ = std::move(result.forces);
+  return result.value;
+}
+
+void SimulatedBodies::add_forces(double weight, double momentum, double n_ramp_steps) {
+  pair_.for_each([&](State which, BodyState& state) {
+    mechanics::NodeVector& increment = increments_[which];
+    if (increment.size() == 0)
+      state.body->initialize(increment);
+    increment.sadd(momentum, weight, forces_[which]);
+    state.unloading->add_force(increment, n_ramp_steps * state.unloading->time_step());
+  });
+}
+
+} // namespace prosup::registration
