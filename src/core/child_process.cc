@@ -97,8 +97,8 @@ ChildResult run_child(const Command& command, const fs::path& log,
   rusage usage{};
   while (wait4(pid, &status, 0, &usage) < 0)
     if (errno != EINTR)
-      throw Error("The program '" + command.front() + "' was started and lost: " +
-                  std::strerror(errno) + ".");
+      throw Error("The program '" + command.front() +
+                  "' was started and lost: " + std::strerror(errno) + ".");
   const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - begin;
   ChildResult result;
   result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);

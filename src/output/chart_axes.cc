@@ -84,8 +84,7 @@ std::string Axes::y_axis(const std::string& label) const {
 
 std::string Axes::x_axis(const std::string& label) const {
   std::string picture;
-  for (const double x :
-       x_scale_ == Scale::logarithmic ? logarithmic_ticks(x_) : linear_ticks(x_)) {
+  for (const double x : x_scale_ == Scale::logarithmic ? logarithmic_ticks(x_) : linear_ticks(x_)) {
     picture += svg::line(horizontal(x), lower(), horizontal(x), lower() + 4, "black");
     picture += svg::text(horizontal(x), lower() + 18, "middle", format("%g", x));
   }

@@ -91,8 +91,8 @@ Json json_of(const Comparison& comparison) {
     json["machine"][what] = which;
   json["runs"] = Json::array();
   for (const Row& row : comparison.rows) {
-    Json run{{"group", row.group}, {"name", row.name}, {"ranks", row.ranks},
-             {"status", row.status}};
+    Json run{
+        {"group", row.group}, {"name", row.name}, {"ranks", row.ranks}, {"status", row.status}};
     if (!row.message.empty())
       run["message"] = row.message;
     if (row.status != "failed")

@@ -12,10 +12,7 @@ namespace prosup::output::svg {
 inline std::string escaped(const std::string& words) {
   std::string result;
   for (const char c : words)
-    result += c == '<'   ? "&lt;"
-              : c == '>' ? "&gt;"
-              : c == '&' ? "&amp;"
-                         : std::string(1, c);
+    result += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
   return result;
 }
 
@@ -37,8 +34,7 @@ inline std::string marker(unsigned shape, double x, double y, double r, const st
                   colour.c_str());
   const double s = 1.2 * r;
   const std::string points =
-      shape % 4 == 1
-          ? format("%.1f,%.1f %.1f,%.1f %.1f,%.1f", x, y - s, x + s, y + r, x - s, y + r)
+      shape % 4 == 1 ? format("%.1f,%.1f %.1f,%.1f %.1f,%.1f", x, y - s, x + s, y + r, x - s, y + r)
       : shape % 4 == 2 ? format("%.1f,%.1f %.1f,%.1f %.1f,%.1f %.1f,%.1f", x - r, y - r, x + r,
                                 y - r, x + r, y + r, x - r, y + r)
                        : format("%.1f,%.1f %.1f,%.1f %.1f,%.1f %.1f,%.1f", x, y - s, x + s, y, x,

@@ -12,9 +12,9 @@ using Command = std::vector<std::string>;
 
 /// What a program that has ended left behind.
 struct ChildResult {
-  int exit_code = 0;          ///< 128 + number of the signal that ended it
-  double wall_seconds = 0.;   ///< of the whole process, s
-  double peak_memory = 0.;    ///< of its largest process, MiB; at least that of the caller
+  int exit_code = 0;        ///< 128 + number of the signal that ended it
+  double wall_seconds = 0.; ///< of the whole process, s
+  double peak_memory = 0.;  ///< of its largest process, MiB; at least that of the caller
 };
 
 /// Runs a program to its end. Its standard output and error go to the files

@@ -24,7 +24,7 @@ struct ComparisonRow {
   std::optional<double> cells, steps;
   std::optional<evaluation::ErrorStatistics> error;          ///< mm
   std::optional<evaluation::ErrorStatistics> unloaded_error; ///< in the unloaded configuration
-  std::optional<double> min_jacobian;    ///< of the map from prone to supine
+  std::optional<double> min_jacobian;                        ///< of the map from prone to supine
   std::optional<double> folded_fraction; ///< of the breast where that is not positive
 };
 
