@@ -5,6 +5,7 @@
 
 #include "line_chart.h"
 #include "prosup/core/error.h"
+#include "prosup/core/log.h"
 
 namespace prosup::output {
 
@@ -30,16 +31,29 @@ Value number_in(const std::string& name) {
   return end == name.c_str() ? Value() : Value(value);
 }
 
-/// Points of each group, in the order in which the groups appear.
+/// The series that a row belongs to: its group, and what else differs from point to
+/// point but is not on the axis.
+std::string series_name(const Comparison& comparison, const Row& row) {
+  if (comparison.x_axis == "ranks")
+    return row.group + "/" + row.name;
+  const bool several_ranks =
+      std::any_of(comparison.rows.begin(), comparison.rows.end(),
+                  [&](const Row& other) { return other.ranks != row.ranks; });
+  return row.group +
+         (several_ranks ? format(", %u rank%s", row.ranks, row.ranks > 1 ? "s" : "") : "");
+}
+
+/// Points of each series, in the order in which they appear.
 std::vector<Series> series_of(const Comparison& comparison, const ComparisonQuantity& x,
                               const ComparisonQuantity& y) {
   std::vector<Series> series;
   for (const Row& row : comparison.rows) {
-    auto found = std::find_if(series.begin(), series.end(),
-                              [&](const Series& s) { return s.name == row.group; });
+    const std::string name = series_name(comparison, row);
+    auto found =
+        std::find_if(series.begin(), series.end(), [&](const Series& s) { return s.name == name; });
     if (found == series.end()) {
       const auto i = static_cast<unsigned>(series.size());
-      series.push_back({row.group, colours[i % n_colours], {}, Style::markers, i, {}});
+      series.push_back({name, colours[i % n_colours], {}, Style::markers, i, {}});
       found = series.end() - 1;
     }
     const Value at = x.value(row), value = y.value(row);
@@ -50,6 +64,9 @@ std::vector<Series> series_of(const Comparison& comparison, const ComparisonQuan
     if (comparison.has_front)
       found->labels.push_back(row.name);
   }
+  series.erase(std::remove_if(series.begin(), series.end(),
+                              [](const Series& s) { return s.points.empty(); }),
+               series.end());
   return series;
 }
 

@@ -131,7 +131,7 @@ std::string comparison_table(const std::vector<Row>& rows) {
       text += std::string(" ") + column.markdown + " |";
       rule += "---|";
     }
-  text += " |\n" + rule + "---|\n";
+  text += " status |\n" + rule + "---|\n";
   for (const Row& row : rows) {
     text += "| " + row.group + " | " + row.name + format(" | %u |", row.ranks);
     for (const Column& column : columns)
@@ -139,10 +139,14 @@ std::string comparison_table(const std::vector<Row>& rows) {
         const Value value = row.status == "failed" ? Value() : column.value(row);
         text += value ? format(" %.*f |", column.digits, *value) : " |";
       }
-    text += (row.status == "ok" ? "" : " " + row.status) +
-            (row.message.empty() ? "" : ": " + row.message) + " |\n";
+    text += " " + row.status + " |\n";
   }
-  return text;
+  std::string messages;
+  for (const Row& row : rows)
+    if (!row.message.empty())
+      messages += format("- %s/%s, %u: %s\n", row.group.c_str(), row.name.c_str(), row.ranks,
+                         row.message.c_str());
+  return text + (messages.empty() ? "" : "\n" + messages);
 }
 
 void write_comparison(const Comparison& comparison, const std::filesystem::path& folder) {

@@ -107,8 +107,9 @@ private:
         static_cast<std::size_t>(std::count_if(comparison_.rows.begin(), comparison_.rows.end(),
                                                [](const Row& r) { return r.status == "failed"; }));
     if (failed == comparison_.rows.size())
-      throw Error(format("All %zu runs of the comparison failed, the first with: %s (see %s/logs)",
-                         failed, comparison_.rows.front().message.c_str(), output.c_str()));
+      throw Error(
+          format("All %zu runs of the comparison failed; '%s' tells what each of them said.",
+                 failed, (output / (comparison_.name + ".md")).c_str()));
     return failed == 0 || !parameters_.all_must_succeed;
   }
 

@@ -130,6 +130,7 @@ Row ComparisonRuns::make(const PlannedRun& run, unsigned n_ranks) {
 }
 
 fs::path ComparisonRuns::peer_parameters(const std::string& name) const {
+  // cmake/Install.cmake puts them there.
   const fs::path folder = parameters_.peer_folder.empty()
                               ? this_program().parent_path().parent_path() / "share/prosup/peers"
                               : fs::path(parameters_.peer_folder);
