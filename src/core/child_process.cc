@@ -2,16 +2,16 @@
 
 #include <fcntl.h>
 #include <spawn.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 #include "prosup/core/error.h"
 
@@ -87,23 +87,42 @@ pid_t start(Command command, const fs::path& log, const std::vector<std::string>
   return pid;
 }
 
+/// Most memory that a process has used so far, MiB.
+double high_water_mark(pid_t pid) {
+  std::ifstream file("/proc/" + std::to_string(pid) + "/status");
+  const std::string name = "VmHWM:";
+  for (std::string line; std::getline(file, line);)
+    if (line.compare(0, name.size(), name) == 0)
+      return std::strtod(line.c_str() + name.size(), nullptr) / 1024.;
+  return 0.;
+}
+
+/// The same of a process and all that it has started, MiB.
+double memory_of_tree(pid_t pid) {
+  double sum = high_water_mark(pid);
+  const std::string number = std::to_string(pid);
+  std::ifstream children("/proc/" + number + "/task/" + number + "/children");
+  for (pid_t child = 0; children >> child;)
+    sum += memory_of_tree(child);
+  return sum;
+}
+
 } // namespace
 
 ChildResult run_child(const Command& command, const fs::path& log,
                       const std::vector<std::string>& variables) {
   const auto begin = std::chrono::steady_clock::now();
   const pid_t pid = start(command, log, variables);
-  int status = 0;
-  rusage usage{};
-  while (wait4(pid, &status, 0, &usage) < 0)
-    if (errno != EINTR)
-      throw Error("The program '" + command.front() +
-                  "' was started and lost: " + std::strerror(errno) + ".");
-  const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - begin;
   ChildResult result;
+  int status = 0;
+  // The figure of wait4() would be at least that of this process.
+  for (pid_t ended = 0; ended == 0; ended = waitpid(pid, &status, WNOHANG)) {
+    result.peak_memory = std::max(result.peak_memory, memory_of_tree(pid));
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - begin;
   result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   result.wall_seconds = duration.count();
-  result.peak_memory = static_cast<double>(usage.ru_maxrss) / 1024.;
   return result;
 }
 

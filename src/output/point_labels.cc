@@ -29,10 +29,13 @@ std::string PointLabels::place(double x, double y, const std::string& words,
                                const std::string& colour) {
   const double width = letter_width * static_cast<double>(words.size());
   const double high = 0.5 * letter_height;
+  const double near = 0.5 * distance;
+  // Above first: lines mostly fall to the right.
   const Box boxes[] = {
+      {x + near, y - near - letter_height, x + near + width, y - near},
       {x + distance, y - high, x + distance + width, y + high},
+      {x - near - width, y + near, x - near, y + near + letter_height},
       {x - distance - width, y - high, x - distance, y + high},
-      {x - 0.5 * width, y - distance - letter_height, x + 0.5 * width, y - distance},
       {x - 0.5 * width, y + distance, x + 0.5 * width, y + distance + letter_height}};
   for (const Box& box : boxes)
     if (is_free(box)) {

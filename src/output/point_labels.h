@@ -15,7 +15,7 @@ public:
   /// A sign that no label may cover.
   void occupy(double x, double y, double radius);
 
-  /// SVG of a label beside a point: right of it, left, above or below, the first of
+  /// SVG of a label beside a point: above, right, below or left of it, the first of
   /// these that is free; empty if none is.
   std::string place(double x, double y, const std::string& words, const std::string& colour);
 

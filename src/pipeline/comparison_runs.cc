@@ -47,7 +47,8 @@ std::string without_folder(std::string message, const fs::path& folder) {
 } // namespace
 
 ComparisonRuns::ComparisonRuns(const Stages& stages, const fs::path& folder)
-    : stages_(stages), parameters_(stages.comparison), folder_(folder), work_(folder / "work") {
+    : stages_(stages), parameters_(stages.comparison), folder_(folder), work_(folder / "work"),
+      program_(this_program()) {
   const CaseParameters& scene = stages.scene;
   if (!scene.landmarks.empty())
     yardstick_.landmarks = evaluation::read_landmarks(scene.landmarks);
@@ -63,7 +64,7 @@ Command ComparisonRuns::prosup(const PlannedRun& run, unsigned n_ranks) const {
     command = words_of(parameters_.launcher);
     command.insert(command.end(), {"-np", std::to_string(n_ranks)});
   }
-  command.insert(command.end(), {this_program(), parameters_.command, folder_ / "used.prm"});
+  command.insert(command.end(), {program_, parameters_.command, folder_ / "used.prm"});
   for (const auto& arguments : {words_of(parameters_.arguments), run.arguments})
     command.insert(command.end(), arguments.begin(), arguments.end());
   if (parameters_.is_registration()) // which sees no landmarks, nor spends time on them
@@ -83,7 +84,7 @@ std::string ComparisonRuns::status(const Command& command, const ChildResult& ch
                                    const fs::path& log) const {
   if (child.exit_code == 0)
     return "ok";
-  const bool is_prosup = std::find(command.begin(), command.end(), this_program()) != command.end();
+  const bool is_prosup = std::find(command.begin(), command.end(), program_) != command.end();
   if (is_prosup && child.exit_code == 2)
     return "not settled"; // but there are results
   throw Error(reason_of_failure(child, log));
@@ -132,7 +133,7 @@ Row ComparisonRuns::make(const PlannedRun& run, unsigned n_ranks) {
 fs::path ComparisonRuns::peer_parameters(const std::string& name) const {
   // cmake/Install.cmake puts them there.
   const fs::path folder = parameters_.peer_folder.empty()
-                              ? this_program().parent_path().parent_path() / "share/prosup/peers"
+                              ? program_.parent_path().parent_path() / "share/prosup/peers"
                               : fs::path(parameters_.peer_folder);
   const fs::path file = folder / (name + ".txt");
   if (!fs::is_regular_file(file))

@@ -38,6 +38,7 @@ private:
   const Stages& stages_;
   const ComparisonParameters& parameters_;
   const std::filesystem::path folder_, work_;
+  const std::filesystem::path program_; ///< as it was found at the start
   Yardstick yardstick_;
 };
 

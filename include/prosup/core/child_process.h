@@ -13,8 +13,8 @@ using Command = std::vector<std::string>;
 /// What a program that has ended left behind.
 struct ChildResult {
   int exit_code = 0;        ///< 128 + number of the signal that ended it
-  double wall_seconds = 0.; ///< of the whole process, s
-  double peak_memory = 0.;  ///< of its largest process, MiB; at least that of the caller
+  double wall_seconds = 0.; ///< of the whole process, to 0.01 s
+  double peak_memory = 0.;  ///< of all its processes together, sampled every 0.01 s, MiB
 };
 
 /// Runs a program to its end. Its standard output and error go to the files
