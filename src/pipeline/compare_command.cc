@@ -45,7 +45,7 @@ public:
     make_runs(folder.path());
     output::write_comparison(comparison_, folder.path());
     folder.commit();
-    log_.line("\n" + output::comparison_table(comparison_.rows) +
+    log_.line("\n" + output::comparison_table(comparison_.rows) + "\n" +
               output::cost_models(comparison_.rows) + "\nResults are in " + output.string());
     return verdict(output);
   }

@@ -55,7 +55,8 @@ void write_comparison(const Comparison& comparison, const std::filesystem::path&
 std::string comparison_table(const std::vector<ComparisonRow>& rows);
 
 /// How time and memory grow with cells and ranks, fitted to the rows of each group
-/// that has enough of them: t = a (cells/1000)^b ranks^c and m = m0 + m1 cells/1000, as
+/// that has three meshes at least, with n thousand cells and r ranks: a n^b r^c for meshing
+/// and for solving, a + b n for the rest of the time, a r + b n for the memory. As
 /// Markdown; empty if no group has.
 std::string cost_models(const std::vector<ComparisonRow>& rows);
 
