@@ -86,10 +86,10 @@ std::unique_ptr<Peer> make_peer(const std::string& name) {
 
 std::string peer_version(const Peer& peer, const fs::path& folder) {
   const fs::path log = folder / ("version_" + peer.program());
-  run_child({peer.program(), "--version"}, log);
+  run_child({"timeout", "10", peer.program(), "--version"}, log);
   std::string line;
   std::getline(std::ifstream(log.string() + ".out") >> std::ws, line);
-  return line;
+  return line.empty() ? "unknown" : line;
 }
 
 } // namespace prosup::pipeline

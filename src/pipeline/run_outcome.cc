@@ -18,7 +18,7 @@ using Row = output::ComparisonRow;
 
 namespace {
 
-constexpr int timed_out = 124; // exit code of timeout
+constexpr int timed_out = 124, first_signal = 128; // exit codes of timeout
 
 /// The sum of a figure of both states; nothing if neither has it.
 std::optional<double> sum_of_states(const Json& states, const char* figure) {
@@ -96,11 +96,15 @@ std::string reason_of_failure(const ChildResult& child, const fs::path& log) {
   if (child.exit_code == timed_out)
     return format("ended after %.0f s, the 'Comparison/Time limit'", child.wall_seconds);
   // mpirun says more behind the sentence of prosup.
+  std::string said;
   for (const auto& [end, start] :
        {std::pair(".err", "prosup: "), std::pair(".err", ""), std::pair(".out", "")})
-    if (const std::string line = last_line(log.string() + end, start); !line.empty())
-      return line;
-  return format("ended with exit code %d and said nothing", child.exit_code);
+    if (said.empty())
+      said = last_line(log.string() + end, start);
+  if (child.exit_code > first_signal)
+    return format("ended by signal %d; its last line was: %s", child.exit_code - first_signal,
+                  said.c_str());
+  return said.empty() ? format("ended with exit code %d and said nothing", child.exit_code) : said;
 }
 
 } // namespace prosup::pipeline

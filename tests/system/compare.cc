@@ -128,6 +128,21 @@ TEST(Compare, MeasuresAPeerByItsField) {
   EXPECT_EQ(summary.at("machine").at("plastimatch"), "stand-in 7");
 }
 
+TEST(Compare, EndsARunThatTakesTooLong) {
+  const TemporaryFolder folder;
+  const fs::path program =
+      text_file(folder / "elastix", "#!/bin/sh\n[ \"$1\" = --version ] || exec sleep 60\n");
+  fs::permissions(program, fs::perms::owner_all);
+  const SearchPath path((folder / "").string() + ":" + std::getenv("PATH"));
+  auto arguments = comparing(folder / "study", "");
+  arguments.insert(arguments.end(), {"--set", "Comparison/Peers=elastix-bspline", "--set",
+                                     "Comparison/Peer folder=" PROSUP_PRM_FOLDER "/peers", "--set",
+                                     "Comparison/Time limit=1"});
+  const ProgramRun run = run_prosup(arguments);
+  EXPECT_EQ(run.exit_code, 1) << run.transcript();
+  EXPECT_NE(contents(folder / "study/study.md").find("Comparison/Time limit"), std::string::npos);
+}
+
 TEST(Compare, NamesThePackageOfAPeerThatIsNotInstalled) {
   const TemporaryFolder folder;
   // All programs but one: MPI looks for its own there.
