@@ -6,6 +6,8 @@ set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/prosup)
 
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/prosup DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
   FILES_MATCHING PATTERN "*.h")
+# Where prosup compare looks for the parameter files of other programs.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/prm/peers DESTINATION ${CMAKE_INSTALL_DATADIR}/prosup)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 install(EXPORT prosupTargets NAMESPACE prosup:: DESTINATION ${package_folder})

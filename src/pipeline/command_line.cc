@@ -29,7 +29,8 @@ constexpr std::pair<const char*, const char*> commands_with_parameters[] = {
     {"unload", "One mask (and image) to its unloaded configuration"},
     {"load", "One unloaded mask (and image) or mesh to its loaded configuration"},
     {"mesh", "One mask to a mesh, with a quality report"},
-    {"phantom", "Images of a numerical phantom, with their truth"}};
+    {"phantom", "Images of a numerical phantom, with their truth"},
+    {"compare", "Runs of prosup and of other programs: speed against error"}};
 
 /// What stands on the command line of the commands that take a parameter file.
 struct Options {
@@ -100,6 +101,7 @@ bool prepare(const Options& options, Stages& stages, dealii::ParameterHandler& p
         options.file.empty() ? fs::current_path() : fs::absolute(options.file).parent_path();
     stages.scene.resolve(folder, parameters);
     stages.single_state.resolve(folder, parameters);
+    stages.comparison.resolve(folder, parameters);
   });
   if (options.write_prm.empty())
     return true;
@@ -121,6 +123,8 @@ int run_with_parameters(const std::string& command, const Options& options, MPI_
     settled = run_load(stages, parameters, options.output, world);
   else if (command == "phantom")
     run_phantom(stages, parameters, options.output, world);
+  else if (command == "compare")
+    settled = run_compare(stages, parameters, options.output, world);
   else
     run_mesh(stages, parameters, options.output, world);
   return settled ? success : not_settled;

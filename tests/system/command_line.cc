@@ -11,7 +11,8 @@ using namespace prosup::testing;
 
 namespace {
 
-const std::vector<std::string> commands{"register", "unload", "load", "mesh", "phantom", "map"};
+const std::vector<std::string> commands{"register", "unload",  "load", "mesh",
+                                        "phantom",  "compare", "map"};
 
 std::vector<std::filesystem::path> shipped_parameter_files() {
   std::vector<std::filesystem::path> files;

@@ -30,6 +30,13 @@ bool run_load(const Stages& stages, const dealii::ParameterHandler& parameters,
 void run_phantom(const Stages& stages, const dealii::ParameterHandler& parameters,
                  const std::filesystem::path& output, MPI_Comm world);
 
+/// `prosup compare`: the runs of section Comparison, each as a process of its own, with
+/// tables and a picture that bear the name of the output folder. Returns whether they succeeded as
+/// far as is asked for. For one rank, without mpirun.
+/// @throws Error if a peer is not installed, or if all runs fail (after writing).
+bool run_compare(const Stages& stages, const dealii::ParameterHandler& parameters,
+                 const std::filesystem::path& output, MPI_Comm world);
+
 /// What `prosup map` is asked for.
 struct MapRequest {
   std::filesystem::path result; ///< folder of a finished registration

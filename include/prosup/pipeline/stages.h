@@ -11,6 +11,7 @@
 #include "prosup/mesh/mask_mesher.h"
 #include "prosup/phantom/phantom_parameters.h"
 #include "prosup/pipeline/case_parameters.h"
+#include "prosup/pipeline/comparison_parameters.h"
 #include "prosup/pipeline/inputs.h"
 #include "prosup/pipeline/result_parameters.h"
 #include "prosup/pipeline/single_state_parameters.h"
@@ -41,6 +42,7 @@ struct Stages {
   registration::ImageForceRegistration image_forces;
   ResultParameters results;
   phantom::PhantomParameters phantom;
+  ComparisonParameters comparison;
 };
 
 } // namespace prosup::pipeline
