@@ -14,10 +14,9 @@ using namespace dealii;
 
 namespace {
 
-// The part of a cell around a node that has to be chest for the node to be held:
-// that of a plane half a spacing away. Nodes are then held that are up to half a
-// spacing outside, and on the average the surface held is that of the chest.
-constexpr float held_part = 0.125f;
+// A node is held if more than this part of the volume around it is chest: the node
+// itself is then in the chest.
+constexpr float held_part = 0.5f;
 
 Tensor<1, 3> at(const Dynamics::Vectors& vectors, std::size_t node) {
   return Tensor<1, 3>({vectors[0][node], vectors[1][node], vectors[2][node]});

@@ -29,8 +29,8 @@ double largest_inverse_stretch(const Tensor<2, 3>& G) {
 
 Dynamics::Dynamics(const Slab& slab, double density)
     : mu(slab.n_nodes(), Real(0)), lambda(slab.n_nodes(), Real(0)), slab_(slab),
-      step_(kernel::best_kernels().step(Real())), density_(density),
-      mobile_(slab.n_nodes(), Real(0)) {
+      step_(kernel::best_kernels().step(Real())), density_(density), mobile_(slab.n_nodes(), false),
+      mobility_(slab.n_nodes(), Real(0)) {
   for (unsigned c = 0; c < 3; ++c)
     displacement[c] = increment[c] = force[c] = mu;
 }
@@ -38,7 +38,7 @@ Dynamics::Dynamics(const Slab& slab, double density)
 void Dynamics::set_mobile(const std::vector<bool>& moves) {
   runs_.clear();
   for (std::size_t n = slab_.owned_begin(); n < slab_.owned_end(); ++n) {
-    mobile_[n] = moves[n] ? Real(1) : Real(0);
+    mobile_[n] = moves[n];
     if (!moves[n])
       continue;
     if (runs_.empty() || n >= runs_.back().second + shortest_gap)
@@ -55,6 +55,13 @@ void Dynamics::set_time_step(double time_step) {
   time_step_ = time_step;
 }
 
+void Dynamics::set_damping(double rate) {
+  damping_ = rate;
+  for (const auto& [begin, end] : runs_)
+    for (std::size_t n = begin; n < end; ++n)
+      mobility_[n] = mobile_[n] ? Real(1. / friction()) : Real(0);
+}
+
 double Dynamics::advance_increments() {
   kernel::Fields<Real> fields{};
   for (unsigned c = 0; c < 3; ++c) {
@@ -64,13 +71,12 @@ double Dynamics::advance_increments() {
   }
   fields.mu = mu.data();
   fields.lambda = lambda.data();
-  fields.mobile = mobile_.data();
+  fields.mobility = mobility_.data();
   fields.row = std::ptrdiff_t(slab_.row());
   fields.plane = std::ptrdiff_t(slab_.plane());
   fields.spacing = Real(slab_.grid().spacing[0]);
   fields.inverse_density = Real(1. / density_);
   fields.squared_step = Real(time_step_ * time_step_);
-  fields.inverse_friction = Real(1. / friction());
   double min_jacobian = std::numeric_limits<double>::max();
   for (const auto& [begin, end] : runs_)
     min_jacobian = std::min(min_jacobian, double(step_(fields, begin, end)));

@@ -20,13 +20,13 @@ public:
 
   /// Which nodes move: others keep their displacement.
   void set_mobile(const std::vector<bool>& moves);
-  bool is_mobile(std::size_t node) const { return mobile_[node] != Real(0); }
+  bool is_mobile(std::size_t node) const { return mobile_[node]; }
 
   /// h_t, s. Velocities are kept.
   void set_time_step(double time_step);
   double time_step() const { return time_step_; }
   /// r/rho, 1/s.
-  void set_damping(double rate) { damping_ = rate; }
+  void set_damping(double rate);
 
   /// 1 + h_t r/rho
   double friction() const { return 1. + time_step_ * damping_; }
@@ -55,7 +55,8 @@ private:
   const kernel::Step<Real> step_;
   const double density_;
   double time_step_ = 0., damping_ = 0.;
-  NodalField mobile_;
+  std::vector<bool> mobile_;
+  NodalField mobility_;                                   ///< 1/friction(), 0 where a node is held
   std::vector<std::pair<std::size_t, std::size_t>> runs_; ///< of nodes, most of which move
 };
 

@@ -33,6 +33,7 @@ UnloadingResult FdmUnloading::Simulation::simulate(unsigned max_steps, bool unti
     fully_loaded_ = force_record_.update(time_, maps_) && loading_ >= 1.;
     resample();
     update_force();
+    dynamics_.set_damping(damping_);
     const Report report = steps(n);
     result.n_steps += n;
     if (const std::string what = trouble(report); !what.empty()) {
@@ -94,6 +95,8 @@ void FdmUnloading::Simulation::retreat(const std::string& trouble, UnloadingResu
     caution_.lag_factor *= 2.;
   caution_.gravity_ramp = std::max(2. * caution_.gravity_ramp, ramp_in_lags * caution_.lag_factor);
   caution_.step_safety *= 0.8;
+  // What flutters needs damping; more than this makes settling too slow.
+  caution_.damping_factor = std::min(2. * caution_.damping_factor, 8.);
   // A good state from which it diverged twice was none.
   restore(has_kept_ ? last_good_ : first_);
   last_good_ = first_;

@@ -147,14 +147,16 @@ void LoadedMaps::set_material(const Material& material, double stiffness) {
       softest = all.back();
   }
   all.push_back({stiffness * softest.mu, stiffness * softest.lambda});
+  // The geometric mean: by the arithmetic one a layer of air as thick as the grid is
+  // wide is nearly as stiff as the tissue next to it, and the body too thick.
   for (std::size_t node = 0; node < grid_.n_voxels(); ++node) {
-    double mu = 0., lambda = 0.;
+    double log_mu = 0., log_lambda = 0.;
     for (std::size_t t = 0; t < all.size(); ++t) {
-      mu += parts_[t][node] * all[t].mu;
-      lambda += parts_[t][node] * all[t].lambda;
+      log_mu += parts_[t][node] * std::log(all[t].mu);
+      log_lambda += parts_[t][node] * std::log(all[t].lambda);
     }
-    values_[node].mu = float(mu);
-    values_[node].lambda = float(lambda);
+    values_[node].mu = float(std::exp(log_mu));
+    values_[node].lambda = float(std::exp(log_lambda));
   }
 }
 

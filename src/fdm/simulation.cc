@@ -58,7 +58,7 @@ FdmUnloading::Simulation::Simulation(const FdmParameters& parameters,
             chest.contact != ChestContact::fixed, parameters.border_scheme()),
       slab_(simulation_grid(maps_, parameters), communicator), dynamics_(slab_, material.density),
       chest_(slab_, labels, chest_label, maps_, chest, parameters, material.density),
-      caution_{parameters.lag_factor, parameters.step_safety, parameters.gravity_ramp} {
+      caution_{parameters.lag_factor, parameters.step_safety, parameters.gravity_ramp, 2.} {
   const bool is_fixed = parameters.border_scheme() == Border::fixed;
   bool touches = false;
   std::vector<bool> moves(slab_.n_nodes(), false);
@@ -215,8 +215,7 @@ Report FdmUnloading::Simulation::report(const Dynamics::Vectors& before, double 
   Utilities::MPI::sum(ArrayView<const double>(sums, n_sums), slab_.communicator(),
                       ArrayView<double>(sums, n_sums));
   if (parameters_.damping == 0. && sums[work] > 0. && sums[inertia] > 0.) {
-    damping_ = 2. * std::sqrt(sums[work] / sums[inertia]);
-    dynamics_.set_damping(damping_);
+    damping_ = caution_.damping_factor * std::sqrt(sums[work] / sums[inertia]);
   }
   const double h_t = dynamics_.time_step();
   Report result;

@@ -52,6 +52,7 @@ private:
   /// Values that a return makes safer.
   struct Caution {
     double lag_factor, step_safety, gravity_ramp; ///< as in the parameters
+    double damping_factor;                        ///< automatic r/rho over the lowest frequency
   };
 
   Report steps(unsigned n);

@@ -14,18 +14,17 @@ namespace prosup::fdm::kernel {
 /// n +- row and n +- plane.
 template <typename Real>
 struct Fields {
-  const Real* u[3];      ///< displacement, mm
-  const Real* mu;        ///< Pa
-  const Real* lambda;    ///< Pa
-  const Real* f[3];      ///< body force per mass, mm/s^2
-  const Real* mobile;    ///< 1 where a node moves, 0 where it is held
-  Real* increment[3];    ///< U^{n+1} - U^n, mm; before the step U^n - U^{n-1}
-  std::ptrdiff_t row;    ///< nodes
-  std::ptrdiff_t plane;  ///< nodes
-  Real spacing;          ///< mm
-  Real inverse_density;  ///< mm^3/g
-  Real squared_step;     ///< h_t^2, s^2
-  Real inverse_friction; ///< 1/(1 + h_t r/rho)
+  const Real* u[3];     ///< displacement, mm
+  const Real* mu;       ///< Pa
+  const Real* lambda;   ///< Pa
+  const Real* f[3];     ///< body force per mass, mm/s^2
+  const Real* mobility; ///< 1/(1 + h_t r/rho), 0 where a node is held
+  Real* increment[3];   ///< U^{n+1} - U^n, mm; before the step U^n - U^{n-1}
+  std::ptrdiff_t row;   ///< nodes
+  std::ptrdiff_t plane; ///< nodes
+  Real spacing;         ///< mm
+  Real inverse_density; ///< mm^3/g
+  Real squared_step;    ///< h_t^2, s^2
 };
 
 /// One step of the paper's eq. 6, written for increments,

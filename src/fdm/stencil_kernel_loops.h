@@ -60,13 +60,12 @@ Real step(const Fields<Real>& fields, std::size_t begin, std::size_t end) {
   const Real* __restrict__ const u2 = fields.u[2];
   const Real* __restrict__ const mu_map = fields.mu;
   const Real* __restrict__ const lambda_map = fields.lambda;
-  const Real* __restrict__ const mobile_map = fields.mobile;
+  const Real* __restrict__ const mobility_map = fields.mobility;
   const std::ptrdiff_t y = fields.row, z = fields.plane;
   const Real first = Real(0.5) / fields.spacing;
   const Real second = Real(1) / (fields.spacing * fields.spacing);
   const Real mixed = Real(0.25) * second;
-  const Real inverse_density = fields.inverse_density, squared_step = fields.squared_step,
-             inverse_friction = fields.inverse_friction;
+  const Real inverse_density = fields.inverse_density, squared_step = fields.squared_step;
   Real min_jacobian = Real(1e30);
 
 #pragma GCC ivdep
@@ -122,36 +121,47 @@ Real step(const Fields<Real>& fields, std::size_t begin, std::size_t end) {
                          A[2][0] * S[0][2] + A[2][1] * S[1][2] + A[2][2] * S[2][2]) *
                         inverse_J;
 
-    const Real mu = mu_map[n], lambda = lambda_map[n];
-    const Real mu_0 = (mu_map[n + 1] - mu_map[n - 1]) * first;
-    const Real mu_1 = (mu_map[n + y] - mu_map[n - y]) * first;
-    const Real mu_2 = (mu_map[n + z] - mu_map[n - z]) * first;
-    const Real lambda_0 = (lambda_map[n + 1] - lambda_map[n - 1]) * first;
-    const Real lambda_1 = (lambda_map[n + y] - lambda_map[n - y]) * first;
-    const Real lambda_2 = (lambda_map[n + z] - lambda_map[n - z]) * first;
+    // Gradients of the maps, and their means over three nodes along each axis: with
+    // mu_I for the mu in (mu u_,I)_,I = mu u_,II + mu_,I u_,I the sum of both terms is
+    //   (m+ (u+ - u) - m- (u - u-))/h^2,  m+- = (mu + mu+-)/2,
+    // a symmetric operator. With mu itself it is not, and flutters where mu jumps.
+    const Real mu = Real(2) * mu_map[n], lambda = Real(2) * lambda_map[n];
+#define PROSUP_MAP(I, stride)                                                                      \
+  const Real mu_##I = (mu_map[n + stride] - mu_map[n - stride]) * first;                           \
+  const Real mean_mu_##I = (mu_map[n + stride] + mu_map[n - stride] + mu) * Real(0.25);            \
+  const Real lambda_##I = (lambda_map[n + stride] - lambda_map[n - stride]) * first;               \
+  const Real mean_lambda_##I =                                                                     \
+      (lambda_map[n + stride] + lambda_map[n - stride] + lambda) * Real(0.25);
+    PROSUP_MAP(0, 1)
+    PROSUP_MAP(1, y)
+    PROSUP_MAP(2, z)
+#undef PROSUP_MAP
 
     // By Piola's identity d_I G_Ij = -G_Ij d_I ln J, so that
     //   d_I P_jI = mu u_j,II + F_jI d_I mu
     //            + G_Ij ((mu + lambda - lambda ln J) d_I ln J + ln J d_I lambda - d_I mu).
-    const Real stiffness = mu + lambda - lambda * ln_J;
-    const Real v0 = (stiffness * ln_J_0 + ln_J * lambda_0 - mu_0) * inverse_J;
-    const Real v1 = (stiffness * ln_J_1 + ln_J * lambda_1 - mu_1) * inverse_J;
-    const Real v2 = (stiffness * ln_J_2 + ln_J * lambda_2 - mu_2) * inverse_J;
-    const Real mobile = mobile_map[n];
-    const Real factor = mobile * inverse_friction;
+    const Real compliance = Real(1) - ln_J;
+    const Real v0 =
+        ((mean_mu_0 + mean_lambda_0 * compliance) * ln_J_0 + ln_J * lambda_0 - mu_0) * inverse_J;
+    const Real v1 =
+        ((mean_mu_1 + mean_lambda_1 * compliance) * ln_J_1 + ln_J * lambda_1 - mu_1) * inverse_J;
+    const Real v2 =
+        ((mean_mu_2 + mean_lambda_2 * compliance) * ln_J_2 + ln_J * lambda_2 - mu_2) * inverse_J;
+    const Real mobility = mobility_map[n];
 #define PROSUP_ADVANCE(j)                                                                          \
   {                                                                                                \
-    const Real divergence = mu * (S[j][0] + S[j][1] + S[j][2]) + F[j][0] * mu_0 + F[j][1] * mu_1 + \
-                            F[j][2] * mu_2 + A[0][j] * v0 + A[1][j] * v1 + A[2][j] * v2;           \
+    const Real divergence = mean_mu_0 * S[j][0] + mean_mu_1 * S[j][1] + mean_mu_2 * S[j][2] +      \
+                            F[j][0] * mu_0 + F[j][1] * mu_1 + F[j][2] * mu_2 + A[0][j] * v0 +      \
+                            A[1][j] * v1 + A[2][j] * v2;                                           \
     Real* __restrict__ const increment = fields.increment[j];                                      \
-    increment[n] =                                                                                 \
-        factor * (increment[n] + squared_step * (divergence * inverse_density + fields.f[j][n]));  \
+    increment[n] = mobility * (increment[n] +                                                      \
+                               squared_step * (divergence * inverse_density + fields.f[j][n]));    \
   }
     PROSUP_ADVANCE(0)
     PROSUP_ADVANCE(1)
     PROSUP_ADVANCE(2)
 #undef PROSUP_ADVANCE
-    const Real watched = J * mobile + (Real(1) - mobile);
+    const Real watched = mobility > Real(0) ? J : Real(1);
     min_jacobian = watched < min_jacobian ? watched : min_jacobian;
   }
   return min_jacobian;
