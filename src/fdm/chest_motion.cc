@@ -14,9 +14,9 @@ using namespace dealii;
 
 namespace {
 
-// A node is held if more than this part of the volume around it is chest: the node
-// itself is then in the chest.
-constexpr float held_part = 0.5f;
+// A node is held if more than this part of the volume around it is chest: if it is in
+// the chest, or on its surface but for the rounding of the voxels.
+constexpr float held_part = 0.45f;
 
 Tensor<1, 3> at(const Dynamics::Vectors& vectors, std::size_t node) {
   return Tensor<1, 3>({vectors[0][node], vectors[1][node], vectors[2][node]});

@@ -17,11 +17,31 @@ namespace {
 
 constexpr double largest_grid = 2e8; // points
 
-std::vector<unsigned> labels_of(const Material& material) {
+/// The tissues of a material that suits the labels.
+std::vector<unsigned> tissues_of(const Material& material, const image::LabelImage& image,
+                                 unsigned chest_label, const std::string& name) {
   std::vector<unsigned> labels;
-  for (const auto& tissue : material.tissues)
-    labels.push_back(tissue.first);
+  for (const auto& tissue : material.tissues) {
+    const unsigned label = tissue.first;
+    if (label > 255 || label == chest_label)
+      throw Error(format("The tissue label %u of %s is the chest label or above 255; give tissues "
+                         "other labels.",
+                         label, name.c_str()));
+    if (std::find(image.values.begin(), image.values.end(), label) != image.values.end())
+      labels.push_back(label);
+  }
+  if (labels.empty())
+    throw Error("No voxel of " + name +
+                " has the label of a tissue; check the labels and those of the material.");
   return labels;
+}
+
+void check(const Material& material) {
+  for (const auto& [label, lame] : material.tissues)
+    if (!(lame.mu > 0.) || !(lame.lambda > 0.))
+      throw Error(format("The tissue with label %u has mu = %g Pa and lambda = %g Pa; both have to "
+                         "be positive.",
+                         label, lame.mu, lame.lambda));
 }
 
 image::VoxelGrid simulation_grid(const LoadedMaps& maps, const FdmParameters& parameters) {
@@ -54,8 +74,9 @@ FdmUnloading::Simulation::Simulation(const FdmParameters& parameters,
                                      std::string name, const Log& log)
     : parameters_(parameters), name_(std::move(name)), log_(log), gravity_(gravity),
       density_(material.density),
-      maps_(labels, labels_of(material), chest_label, parameters.map_spacing * parameters.spacing,
-            chest.contact != ChestContact::fixed, parameters.border_scheme()),
+      maps_(labels, tissues_of(material, labels, chest_label, name_), chest_label,
+            parameters.map_spacing * parameters.spacing, chest.contact != ChestContact::fixed,
+            parameters.border_scheme()),
       slab_(simulation_grid(maps_, parameters), communicator), dynamics_(slab_, material.density),
       chest_(slab_, labels, chest_label, maps_, chest, parameters, material.density),
       caution_{parameters.lag_factor, parameters.step_safety, parameters.gravity_ramp, 2.} {
@@ -104,6 +125,7 @@ FdmUnloading::Simulation::Simulation(const FdmParameters& parameters,
 }
 
 void FdmUnloading::Simulation::set_material(const Material& material) {
+  check(material);
   maps_.set_material(material, parameters_.background_stiffness);
   force_record_.update(time_, maps_);
   resample();
