@@ -15,6 +15,8 @@ namespace {
 constexpr unsigned blocks_per_update = 10; ///< of the time step and the good state
 constexpr double smallest_healthy_jacobian = 0.01;
 constexpr double ramp_in_lags = 4.;
+// An error that has not halved in so many steps flutters.
+constexpr unsigned steps_to_halve = 1000;
 
 } // namespace
 
@@ -23,7 +25,9 @@ UnloadingResult FdmUnloading::Simulation::simulate(unsigned max_steps, bool unti
   first_ = last_good_ = save();
   last_good_error_ = std::numeric_limits<double>::max();
   has_kept_ = false;
-  unsigned n_blocks = 0;
+  unsigned n_blocks = 0, n_last_look = 0;
+  double last_error = std::numeric_limits<double>::max();
+  double smallest_error = last_error;
   while (result.n_steps < max_steps) {
     const unsigned n = std::min(parameters_.resampling_interval, max_steps - result.n_steps);
     const double duration = n * dynamics_.time_step();
@@ -53,6 +57,16 @@ UnloadingResult FdmUnloading::Simulation::simulate(unsigned max_steps, bool unti
     result.converged = fully_loaded_ && error < 1.;
     if (result.converged && until_settled)
       break;
+    smallest_error = std::min(smallest_error, error);
+    if (until_settled && fully_loaded_ && result.n_steps >= n_last_look + steps_to_halve) {
+      if (smallest_error > 0.5 * last_error) {
+        strengthen();
+        ++result.n_retries;
+      }
+      last_error = smallest_error;
+      smallest_error = std::numeric_limits<double>::max();
+      n_last_look = result.n_steps;
+    }
     ++n_blocks;
     if (n_blocks % blocks_per_update == 0 && fully_loaded_ && error < last_good_error_) {
       last_good_ = save();
@@ -91,12 +105,9 @@ void FdmUnloading::Simulation::retreat(const std::string& trouble, UnloadingResu
         name_.c_str(), result.n_steps, result.n_retries, trouble.c_str()));
   }
   ++result.n_retries;
-  if (parameters_.correction_scheme() == Correction::relaxed)
-    caution_.lag_factor *= 2.;
+  strengthen();
   caution_.gravity_ramp = std::max(2. * caution_.gravity_ramp, ramp_in_lags * caution_.lag_factor);
   caution_.step_safety *= 0.8;
-  // What flutters needs damping; more than this makes settling too slow.
-  caution_.damping_factor = std::min(2. * caution_.damping_factor, 8.);
   // A good state from which it diverged twice was none.
   restore(has_kept_ ? last_good_ : first_);
   last_good_ = first_;
@@ -105,6 +116,14 @@ void FdmUnloading::Simulation::retreat(const std::string& trouble, UnloadingResu
   log_.line(format("  %s: %s after %u steps; goes on from a good state with a longer lag and "
                    "smaller steps.",
                    name_.c_str(), trouble.c_str(), result.n_steps));
+}
+
+void FdmUnloading::Simulation::strengthen() {
+  // What flutters needs damping; more than this makes settling too slow. The lag is
+  // measured in damping times.
+  caution_.damping_factor = std::min(2. * caution_.damping_factor, 16.);
+  if (parameters_.correction_scheme() == Correction::relaxed)
+    caution_.lag_factor *= 2.;
 }
 
 State FdmUnloading::Simulation::save() const {

@@ -117,7 +117,8 @@ FdmUnloading::Simulation::Simulation(const FdmParameters& parameters,
     head_ += std::abs(gravity[d]) * (maps_.high()[d] - maps_.low()[d]);
     extent = std::max(extent, maps_.high()[d] - maps_.low()[d]);
   }
-  damping_ = parameters.damping > 0. ? parameters.damping : first_damping(material, extent);
+  first_damping_ = first_damping(material, extent);
+  damping_ = parameters.damping > 0. ? parameters.damping : 2. * first_damping_;
   tissue_.assign(slab_.n_nodes(), Real(0));
   for (unsigned c = 0; c < 3; ++c)
     pull_back_[c] = extra_force_[c] = tissue_;
@@ -237,7 +238,9 @@ Report FdmUnloading::Simulation::report(const Dynamics::Vectors& before, double 
   Utilities::MPI::sum(ArrayView<const double>(sums, n_sums), slab_.communicator(),
                       ArrayView<double>(sums, n_sums));
   if (parameters_.damping == 0. && sums[work] > 0. && sums[inertia] > 0.) {
-    damping_ = caution_.damping_factor * std::sqrt(sums[work] / sums[inertia]);
+    // A body that has hardly moved yet seems to have no frequency.
+    damping_ =
+        caution_.damping_factor * std::max(first_damping_, std::sqrt(sums[work] / sums[inertia]));
   }
   const double h_t = dynamics_.time_step();
   Report result;

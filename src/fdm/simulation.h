@@ -63,6 +63,7 @@ private:
   void update_time_step();
   std::string trouble(const Report& report) const;
   void retreat(const std::string& trouble, UnloadingResult& result);
+  void strengthen();
   State save() const;
   void restore(const State& state);
 
@@ -81,7 +82,7 @@ private:
   NodalField tissue_;
   Dynamics::Vectors extra_force_; ///< force density over density, mm/s^2
   double time_ = 0., loading_ = 0.;
-  double damping_ = 0.;
+  double damping_ = 0., first_damping_ = 0.; ///< 1/s
   bool fully_loaded_ = false, holds_reference_ = false;
   double head_ = 0.; ///< |g| times the extent of the image along it, mm^2/s^2
   Caution caution_;

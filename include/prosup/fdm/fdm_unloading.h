@@ -18,7 +18,7 @@ namespace prosup::fdm {
 struct UnloadingResult {
   bool converged = false;
   unsigned n_steps = 0;     ///< in this call
-  unsigned n_retries = 0;   ///< returns to the last good state, in this call
+  unsigned n_retries = 0;   ///< returns to a good state, and strengthened damping, in this call
   double residual = 0.;     ///< out-of-balance force over weight
   double distance = 0.;     ///< max |w - u| in the tissue, mm
   double min_jacobian = 0.; ///< smallest J = det dx/dX, of background too
