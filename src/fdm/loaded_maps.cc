@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "trilinear_cell.h"
 
@@ -14,6 +15,9 @@ namespace {
 
 /// Label of a voxel that is neither tissue nor chest: the last of `parts`.
 constexpr unsigned not_counted = 255;
+
+/// Where less of the volume is not chest, what it is is not known.
+constexpr float least_known = 0.02f;
 
 } // namespace
 
@@ -89,6 +93,7 @@ void LoadedMaps::average(const image::LabelImage& labels, unsigned chest_label) 
 
 void LoadedMaps::normalise(bool chest_is_soft, double full_weight) {
   const unsigned n_tissues = unsigned(tissue_labels_.size());
+  std::vector<bool> known(grid_.n_voxels());
   for (std::size_t node = 0; node < grid_.n_voxels(); ++node) {
     float& chest = values_[node].chest;
     chest = std::min(1.f, chest / float(full_weight));
@@ -104,13 +109,46 @@ void LoadedMaps::normalise(bool chest_is_soft, double full_weight) {
     if (chest_is_soft)
       air += chest;
     sum = tissue + air;
-    if (sum < 1e-4f) { // deep in the chest
-      parts_[0][node] = 1.f;
-      sum = 1.f;
+    known[node] = sum > least_known;
+    if (!known[node]) { // deep in the chest: any material
+      parts_[0][node] += 1.f;
+      sum += 1.f;
     }
     for (unsigned t = 0; t <= n_tissues; ++t)
       parts_[t][node] /= sum;
     values_[node].tissue = 1.f - air / sum;
+  }
+  continue_into_chest(std::move(known));
+}
+
+void LoadedMaps::continue_into_chest(std::vector<bool> known) {
+  // Two layers are felt by nodes that move. Without them material would jump there.
+  for (unsigned layer = 0; layer < 2; ++layer) {
+    const std::vector<bool> known_before = known;
+    for (std::size_t node = 0; node < grid_.n_voxels(); ++node) {
+      if (known_before[node])
+        continue;
+      std::vector<float> sum(parts_.size(), 0.f);
+      float n = 0.f;
+      for (int neighbour = 0; neighbour < 27; ++neighbour) {
+        // The border of the grid is background or known, so that all are in memory.
+        const std::size_t other =
+            node + std::size_t(neighbour % 3) - 1 +
+            grid_.size[0] * (std::size_t(neighbour / 3 % 3) - 1 +
+                             grid_.size[1] * (std::size_t(neighbour / 9) - 1));
+        if (other >= grid_.n_voxels() || !known_before[other])
+          continue;
+        ++n;
+        for (std::size_t t = 0; t < parts_.size(); ++t)
+          sum[t] += parts_[t][other];
+      }
+      if (n == 0.f)
+        continue;
+      known[node] = true;
+      for (std::size_t t = 0; t < parts_.size(); ++t)
+        parts_[t][node] = sum[t] / n;
+      values_[node].tissue = 1.f - parts_.back()[node];
+    }
   }
 }
 

@@ -49,6 +49,7 @@ public:
 private:
   void average(const image::LabelImage& labels, unsigned chest_label);
   void normalise(bool chest_is_soft, double full_weight);
+  void continue_into_chest(std::vector<bool> known);
   void continue_beyond(const Faces& faces);
 
   image::VoxelGrid grid_;
