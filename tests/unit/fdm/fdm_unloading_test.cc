@@ -60,7 +60,7 @@ TEST(FdmUnloading, BoxComesBackThroughVoxels) {
   // 0.1 mm at the 95th percentile, of the order of its grid spacing of 0.5 mm.
   fdm::FdmParameters parameters;
   parameters.spacing = 1.;
-  parameters.padding = 6.;
+  parameters.padding = 2.;
   const double mu = 500. / 2.9;
   const tests::BoxExperiment result = tests::box_experiment(
       parameters, {0.5, 15., 15., 6.}, material(mu, 9. * mu), down, MPI_COMM_WORLD);
