@@ -1,15 +1,17 @@
-# The element kernels, once for each instruction set; the program chooses when it
-# runs. Only these files may reorder floating point: elsewhere NaN checks must
-# hold. The vectors of GCC do not leave these files, so their ABI is no concern.
+# The hot loops, once for each instruction set; the program chooses when it runs.
+# Only these files may reorder floating point: elsewhere NaN checks must hold. The
+# vectors of GCC do not leave these files, so their ABI is no concern.
 set(kernel_options -O3 -ffast-math -Wno-psabi)
-set_source_files_properties(src/mechanics/element_kernel_baseline.cc PROPERTIES
-  COMPILE_OPTIONS "${kernel_options}")
-if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-  set_source_files_properties(src/mechanics/element_kernel_avx2.cc PROPERTIES
-    COMPILE_OPTIONS "${kernel_options};-mavx2;-mfma")
-  set_source_files_properties(src/mechanics/element_kernel_avx512.cc PROPERTIES
-    COMPILE_OPTIONS
-    "${kernel_options};-mfma;-mavx512f;-mavx512dq;-mavx512bw;-mavx512vl;-mavx512cd")
-  set_source_files_properties(src/mechanics/element_kernel.cc PROPERTIES
-    COMPILE_DEFINITIONS PROSUP_X86_KERNELS)
-endif()
+foreach(kernel mechanics/element_kernel fdm/stencil_kernel)
+  set_source_files_properties(src/${kernel}_baseline.cc PROPERTIES
+    COMPILE_OPTIONS "${kernel_options}")
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    set_source_files_properties(src/${kernel}_avx2.cc PROPERTIES
+      COMPILE_OPTIONS "${kernel_options};-mavx2;-mfma")
+    set_source_files_properties(src/${kernel}_avx512.cc PROPERTIES
+      COMPILE_OPTIONS
+      "${kernel_options};-mfma;-mavx512f;-mavx512dq;-mavx512bw;-mavx512vl;-mavx512cd")
+    set_source_files_properties(src/${kernel}.cc PROPERTIES
+      COMPILE_DEFINITIONS PROSUP_X86_KERNELS)
+  endif()
+endforeach()

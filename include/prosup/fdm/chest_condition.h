@@ -1,0 +1,20 @@
+#ifndef PROSUP_FDM_CHEST_CONDITION_H
+#define PROSUP_FDM_CHEST_CONDITION_H
+
+namespace prosup::fdm {
+
+/// How tissue moves at the chest.
+enum class ChestContact {
+  fixed,    ///< u = 0 in the chest
+  sliding,  ///< along its surface
+  one_sided ///< along its surface and away from it
+};
+
+struct ChestCondition {
+  ChestContact contact = ChestContact::fixed;
+  double spring_stiffness = 0.; ///< against sliding, Pa/mm
+};
+
+} // namespace prosup::fdm
+
+#endif

@@ -1,0 +1,126 @@
+#include "chest_motion.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "prosup/image/filters.h"
+#include "prosup/image/sampling.h"
+
+namespace prosup::fdm {
+
+using namespace dealii;
+
+namespace {
+
+// A node is held if more than this part of the volume around it is chest: if it is in
+// the chest, or on its surface but for the rounding of the voxels.
+constexpr float held_part = 0.45f;
+
+Tensor<1, 3> at(const Dynamics::Vectors& vectors, std::size_t node) {
+  return Tensor<1, 3>({vectors[0][node], vectors[1][node], vectors[2][node]});
+}
+
+/// The distances on a grid half as wide as the simulation's: smooth over the
+/// stairs of the voxels.
+image::ScalarImage smooth_distance(const image::LabelImage& labels, unsigned chest_label,
+                                   const LoadedMaps& maps, double spacing) {
+  const image::ScalarImage fine =
+      image::signed_distance(image::select_labels(labels, {chest_label}));
+  const image::BasicSampler<float> sampler(fine);
+  image::ScalarImage result(image::grid_around(maps.low(), maps.high(), 0.5 * spacing, 0.));
+  std::size_t n = 0;
+  for (std::size_t k = 0; k < result.grid.size[2]; ++k)
+    for (std::size_t j = 0; j < result.grid.size[1]; ++j)
+      for (std::size_t i = 0; i < result.grid.size[0]; ++i)
+        result.values[n++] = sampler.value(result.grid.physical(double(i), double(j), double(k)));
+  return result;
+}
+
+} // namespace
+
+ChestMotion::ChestMotion(const Slab& slab, const image::LabelImage& labels, unsigned chest_label,
+                         const LoadedMaps& maps, const ChestCondition& condition,
+                         const FdmParameters& parameters, double density)
+    : slab_(slab), condition_(condition), motion_(parameters.slave_motion_scheme()),
+      correction_(parameters.slave_correction), speed_(parameters.slave_speed),
+      spring_per_mass_(condition.spring_stiffness / (density * parameters.spacing)),
+      held_(slab.n_nodes(), false), slave_of_(slab.n_nodes(), -1) {
+  const bool slides = condition.contact != ChestContact::fixed;
+  const bool has_chest =
+      std::find(labels.values.begin(), labels.values.end(), chest_label) != labels.values.end();
+  if (slides && has_chest)
+    distance_ = smooth_distance(labels, chest_label, maps, parameters.spacing);
+  unsigned long n_here = 0;
+  for (std::size_t node = slab.owned_begin(); has_chest && node < slab.owned_end(); ++node) {
+    const Point<3> position = slab.position(node);
+    if (slides) {
+      Tensor<1, 3> normal;
+      const double depth = distance(position, normal);
+      if (std::abs(depth) <= 0.5 * parameters.spacing && !slab.on_border(node)) {
+        slave_of_[node] = int(slaves_.size());
+        slaves_.push_back({node, position, depth});
+        ++n_here;
+      }
+    } else if (maps.values(position).chest > held_part) {
+      held_[node] = true;
+      ++n_here;
+    }
+  }
+  n_nodes_ = Utilities::MPI::sum(n_here, slab.communicator());
+}
+
+double ChestMotion::distance(const Point<3>& position, Tensor<1, 3>& normal) const {
+  const double result = image::BasicSampler<double>(distance_).value_and_gradient(position, normal);
+  const double length = normal.norm();
+  if (length > 0.)
+    normal /= length;
+  return result;
+}
+
+Tensor<1, 3> ChestMotion::spring(const Tensor<1, 3>& displacement,
+                                 const Tensor<1, 3>& normal) const {
+  return -spring_per_mass_ * (displacement - (displacement * normal) * normal);
+}
+
+void ChestMotion::correct(Dynamics& dynamics) const {
+  const double h_t = dynamics.time_step();
+  const double steepness = 10. * std::log(9.) / speed_;
+  for (const Slave& slave : slaves_) {
+    const Tensor<1, 3> u = at(dynamics.displacement, slave.node);
+    Tensor<1, 3> du = at(dynamics.increment, slave.node), normal;
+    if (spring_per_mass_ > 0.) {
+      distance(slave.position + u, normal);
+      du += h_t * h_t / dynamics.friction() * spring(u, normal);
+    }
+    const double gap = slave.distance - distance(slave.position + u + du, normal);
+    if (condition_.contact == ChestContact::sliding || gap > 0.) {
+      double s = 1.;
+      if (motion_ == SlaveMotion::gradual) {
+        const double approach = (gap > 0. ? 1. : -1.) * (du * normal) / h_t;
+        s = correction_ / (1. + std::exp(std::min(500., steepness * (approach - speed_))));
+      }
+      du += s * gap * normal;
+    }
+    for (unsigned c = 0; c < 3; ++c)
+      dynamics.increment[c][slave.node] = Real(du[c]);
+  }
+}
+
+void ChestMotion::project(const Dynamics& dynamics, std::size_t node,
+                          Tensor<1, 3>& acceleration) const {
+  if (slave_of_[node] < 0)
+    return;
+  const Slave& slave = slaves_[slave_of_[node]];
+  const Tensor<1, 3> u = at(dynamics.displacement, node);
+  Tensor<1, 3> normal;
+  distance(slave.position + u, normal);
+  if (spring_per_mass_ > 0.)
+    acceleration += spring(u, normal);
+  const double across = acceleration * normal;
+  if (condition_.contact == ChestContact::sliding || across < 0.)
+    acceleration -= across * normal;
+}
+
+} // namespace prosup::fdm

@@ -1,0 +1,57 @@
+#ifndef PROSUP_SRC_FDM_CHEST_MOTION_H
+#define PROSUP_SRC_FDM_CHEST_MOTION_H
+
+#include <vector>
+
+#include "dynamics.h"
+#include "loaded_maps.h"
+#include "prosup/fdm/chest_condition.h"
+#include "prosup/fdm/fdm_parameters.h"
+#include "prosup/image/voxel_image.h"
+
+namespace prosup::fdm {
+
+/// What the chest, which is rigid, does to the nodes of the grid: it holds those
+/// within (fixed), or keeps the nodes at its surface at their distance from it by
+/// the paper's eq. 10, while others within are soft and free.
+class ChestMotion {
+public:
+  ChestMotion(const Slab& slab, const image::LabelImage& labels, unsigned chest_label,
+              const LoadedMaps& maps, const ChestCondition& condition,
+              const FdmParameters& parameters, double density);
+
+  /// Whether the chest holds this node.
+  bool holds(std::size_t node) const { return held_[node]; }
+  /// Number of nodes held or led, of all ranks.
+  unsigned long n_nodes() const { return n_nodes_; }
+
+  /// Adds to the increments of the slave nodes what their springs do in a step,
+  /// -k u_t/(rho h), and then x' = x + s(v_s) c(x).
+  void correct(Dynamics& dynamics) const;
+  /// The acceleration of a node with its spring and without what the chest takes.
+  void project(const Dynamics& dynamics, std::size_t node, Tensor<1, 3>& acceleration) const;
+
+private:
+  struct Slave {
+    std::size_t node;
+    Point<3> position; ///< X
+    double distance;   ///< from the chest at X, mm
+  };
+  double distance(const Point<3>& position, Tensor<1, 3>& normal) const;
+  Tensor<1, 3> spring(const Tensor<1, 3>& displacement, const Tensor<1, 3>& normal) const;
+
+  const Slab& slab_;
+  const ChestCondition condition_;
+  const SlaveMotion motion_;
+  const double correction_, speed_;
+  const double spring_per_mass_; ///< 1/s^2
+  std::vector<bool> held_;
+  std::vector<Slave> slaves_;
+  std::vector<int> slave_of_; ///< of each node, -1 for none
+  image::ScalarImage distance_;
+  unsigned long n_nodes_ = 0;
+};
+
+} // namespace prosup::fdm
+
+#endif

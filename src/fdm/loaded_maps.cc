@@ -1,0 +1,220 @@
+#include "loaded_maps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "trilinear_cell.h"
+
+namespace prosup::fdm {
+
+using namespace dealii;
+
+namespace {
+
+/// Label of a voxel that is neither tissue nor chest: the last of `parts`.
+constexpr unsigned not_counted = 255;
+
+/// Where less of the volume is not chest, what it is is not known.
+constexpr float least_known = 0.02f;
+
+} // namespace
+
+LoadedMaps::LoadedMaps(const image::LabelImage& labels, const std::vector<unsigned>& tissue_labels,
+                       unsigned chest_label, double spacing, bool chest_is_soft, Border border)
+    : tissue_labels_(tissue_labels) {
+  const image::VoxelGrid& voxels = labels.grid;
+  for (unsigned d = 0; d < 3; ++d) {
+    low_[d] = std::numeric_limits<double>::max();
+    high_[d] = -low_[d];
+  }
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    double index[3];
+    for (unsigned d = 0; d < 3; ++d)
+      index[d] = corner >> d & 1u ? double(voxels.size[d]) - 0.5 : -0.5;
+    const Point<3> position = voxels.physical(index[0], index[1], index[2]);
+    for (unsigned d = 0; d < 3; ++d) {
+      low_[d] = std::min(low_[d], position[d]);
+      high_[d] = std::max(high_[d], position[d]);
+    }
+  }
+  grid_ = image::grid_around(low_, high_, spacing, 2. * spacing);
+  average(labels, chest_label);
+  normalise(chest_is_soft, grid_.voxel_volume());
+  if (border == Border::fixed)
+    continue_beyond(touched_);
+}
+
+void LoadedMaps::average(const image::LabelImage& labels, unsigned chest_label) {
+  const image::VoxelGrid& voxels = labels.grid;
+  parts_.assign(tissue_labels_.size() + 1, std::vector<float>(grid_.n_voxels(), 0.f));
+  values_.assign(grid_.n_voxels(), Values());
+  std::array<unsigned, 256> part_of;
+  part_of.fill(unsigned(tissue_labels_.size()));
+  for (unsigned t = 0; t < tissue_labels_.size(); ++t)
+    part_of[tissue_labels_[t]] = t;
+  part_of[chest_label] = not_counted;
+
+  // Voxels that are not small against the grid are cut.
+  std::array<unsigned, 3> n_cuts;
+  for (unsigned d = 0; d < 3; ++d)
+    n_cuts[d] = std::max(1u, unsigned(std::ceil(2. * voxels.spacing[d] / grid_.spacing[0])));
+  const float volume = float(voxels.voxel_volume() / (n_cuts[0] * n_cuts[1] * n_cuts[2]));
+  std::array<std::size_t, 3> i;
+  for (i[2] = 0; i[2] < voxels.size[2]; ++i[2])
+    for (i[1] = 0; i[1] < voxels.size[1]; ++i[1])
+      for (i[0] = 0; i[0] < voxels.size[0]; ++i[0]) {
+        const unsigned part = part_of[labels(i[0], i[1], i[2])];
+        if (part < tissue_labels_.size())
+          for (unsigned d = 0; d < 3; ++d)
+            for (unsigned side = 0; side < 2; ++side)
+              if (i[d] == (side ? voxels.size[d] - 1 : 0)) {
+                // The axis of the image that is axis e of LPS, if at right angles.
+                for (unsigned e = 0; e < 3; ++e)
+                  if (std::abs(voxels.direction[e][d]) > 0.9)
+                    touched_[e][(voxels.direction[e][d] > 0.) == (side == 1)] = true;
+              }
+        for (unsigned cut = 0; cut < n_cuts[0] * n_cuts[1] * n_cuts[2]; ++cut) {
+          const double at[3] = {double(cut % n_cuts[0]), double(cut / n_cuts[0] % n_cuts[1]),
+                                double(cut / n_cuts[0] / n_cuts[1])};
+          double index[3];
+          for (unsigned d = 0; d < 3; ++d)
+            index[d] = double(i[d]) - 0.5 + (at[d] + 0.5) / n_cuts[d];
+          const TrilinearCell cell(grid_, voxels.physical(index[0], index[1], index[2]));
+          for (unsigned corner = 0; corner < 8; ++corner) {
+            const float weight = volume * float(cell.weight(corner));
+            (part == not_counted ? values_[cell.node(corner)].chest
+                                 : parts_[part][cell.node(corner)]) += weight;
+          }
+        }
+      }
+}
+
+void LoadedMaps::normalise(bool chest_is_soft, double full_weight) {
+  const unsigned n_tissues = unsigned(tissue_labels_.size());
+  std::vector<bool> known(grid_.n_voxels());
+  for (std::size_t node = 0; node < grid_.n_voxels(); ++node) {
+    float& chest = values_[node].chest;
+    chest = std::min(1.f, chest / float(full_weight));
+    float sum = 0.f, tissue = 0.f;
+    for (unsigned t = 0; t <= n_tissues; ++t) {
+      parts_[t][node] /= float(full_weight);
+      sum += parts_[t][node];
+      tissue += t < n_tissues ? parts_[t][node] : 0.f;
+    }
+    // Beyond the image there is background.
+    float& air = parts_[n_tissues][node];
+    air = std::max(0.f, 1.f - chest - tissue);
+    if (chest_is_soft)
+      air += chest;
+    sum = tissue + air;
+    known[node] = sum > least_known;
+    if (!known[node]) { // deep in the chest: any material
+      parts_[0][node] += 1.f;
+      sum += 1.f;
+    }
+    for (unsigned t = 0; t <= n_tissues; ++t)
+      parts_[t][node] /= sum;
+    values_[node].tissue = 1.f - air / sum;
+  }
+  continue_into_chest(std::move(known));
+}
+
+void LoadedMaps::continue_into_chest(std::vector<bool> known) {
+  // Two layers are felt by nodes that move. Without them material would jump there.
+  for (unsigned layer = 0; layer < 2; ++layer) {
+    const std::vector<bool> known_before = known;
+    for (std::size_t node = 0; node < grid_.n_voxels(); ++node) {
+      if (known_before[node])
+        continue;
+      std::vector<float> sum(parts_.size(), 0.f);
+      float n = 0.f;
+      for (int neighbour = 0; neighbour < 27; ++neighbour) {
+        // The border of the grid is background or known, so that all are in memory.
+        const std::size_t other =
+            node + std::size_t(neighbour % 3) - 1 +
+            grid_.size[0] * (std::size_t(neighbour / 3 % 3) - 1 +
+                             grid_.size[1] * (std::size_t(neighbour / 9) - 1));
+        if (other >= grid_.n_voxels() || !known_before[other])
+          continue;
+        ++n;
+        for (std::size_t t = 0; t < parts_.size(); ++t)
+          sum[t] += parts_[t][other];
+      }
+      if (n == 0.f)
+        continue;
+      known[node] = true;
+      for (std::size_t t = 0; t < parts_.size(); ++t)
+        parts_[t][node] = sum[t] / n;
+      values_[node].tissue = 1.f - parts_.back()[node];
+    }
+  }
+}
+
+void LoadedMaps::continue_beyond(const Faces& faces) {
+  // Nodes within one spacing of a face have seen less than their full volume.
+  std::array<std::size_t, 3> first, last;
+  for (unsigned d = 0; d < 3; ++d) {
+    const double inner_low = (low_[d] - grid_.origin[d]) / grid_.spacing[d] + 1.;
+    const double inner_high = (high_[d] - grid_.origin[d]) / grid_.spacing[d] - 1.;
+    first[d] = faces[d][0] ? std::size_t(std::ceil(inner_low)) : 0;
+    last[d] = faces[d][1] ? std::size_t(inner_high) : grid_.size[d] - 1;
+  }
+  std::array<std::size_t, 3> i;
+  for (i[2] = 0; i[2] < grid_.size[2]; ++i[2])
+    for (i[1] = 0; i[1] < grid_.size[1]; ++i[1])
+      for (i[0] = 0; i[0] < grid_.size[0]; ++i[0]) {
+        std::array<std::size_t, 3> from;
+        for (unsigned d = 0; d < 3; ++d)
+          from[d] = std::min(std::max(i[d], first[d]), last[d]);
+        const std::size_t to = grid_.linear_index(i[0], i[1], i[2]);
+        const std::size_t source = grid_.linear_index(from[0], from[1], from[2]);
+        values_[to] = values_[source];
+        for (auto& part : parts_)
+          part[to] = part[source];
+      }
+}
+
+void LoadedMaps::set_material(const Material& material, double stiffness) {
+  std::vector<LameParameters> all;
+  LameParameters softest{std::numeric_limits<double>::max(), 0.};
+  for (const unsigned label : tissue_labels_) {
+    all.push_back(material.tissues.at(label));
+    if (all.back().mu < softest.mu)
+      softest = all.back();
+  }
+  all.push_back({stiffness * softest.mu, stiffness * softest.lambda});
+  // The geometric mean: by the arithmetic one a layer of air as thick as the grid is
+  // wide is nearly as stiff as the tissue next to it, and the body too thick.
+  for (std::size_t node = 0; node < grid_.n_voxels(); ++node) {
+    double log_mu = 0., log_lambda = 0.;
+    for (std::size_t t = 0; t < all.size(); ++t) {
+      log_mu += parts_[t][node] * std::log(all[t].mu);
+      log_lambda += parts_[t][node] * std::log(all[t].lambda);
+    }
+    values_[node].mu = float(std::exp(log_mu));
+    values_[node].lambda = float(std::exp(log_lambda));
+  }
+}
+
+LoadedMaps::Values LoadedMaps::values(const Point<3>& position) const {
+  const TrilinearCell cell(grid_, position);
+  float sum[8] = {0.f, 0.f, 0.f, 0.f, 0.f, 0.f, 0.f, 0.f};
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    const float weight = float(cell.weight(corner));
+    const Values& at = values_[cell.node(corner)];
+    const float all[8] = {at.mu,       at.lambda,   at.tissue,   at.chest,
+                          at.force[0], at.force[1], at.force[2], at.unused};
+    for (unsigned i = 0; i < 8; ++i)
+      sum[i] += weight * all[i];
+  }
+  return {sum[0], sum[1], sum[2], sum[3], {sum[4], sum[5], sum[6]}, sum[7]};
+}
+
+void LoadedMaps::set_force(std::size_t node, const Tensor<1, 3>& force) {
+  for (unsigned c = 0; c < 3; ++c)
+    values_[node].force[c] = float(force[c]);
+}
+
+} // namespace prosup::fdm

@@ -1,0 +1,256 @@
+#include "simulation.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "prosup/core/error.h"
+
+namespace prosup::fdm {
+
+using namespace dealii;
+
+namespace {
+
+constexpr double largest_grid = 2e8; // points
+
+/// The tissues of a material that suits the labels.
+std::vector<unsigned> tissues_of(const Material& material, const image::LabelImage& image,
+                                 unsigned chest_label, const std::string& name) {
+  std::vector<unsigned> labels;
+  for (const auto& tissue : material.tissues) {
+    const unsigned label = tissue.first;
+    if (label > 255 || label == chest_label)
+      throw Error(format("The tissue label %u of %s is the chest label or above 255; give tissues "
+                         "other labels.",
+                         label, name.c_str()));
+    if (std::find(image.values.begin(), image.values.end(), label) != image.values.end())
+      labels.push_back(label);
+  }
+  if (labels.empty())
+    throw Error("No voxel of " + name +
+                " has the label of a tissue; check the labels and those of the material.");
+  return labels;
+}
+
+void check(const Material& material) {
+  for (const auto& [label, lame] : material.tissues)
+    if (!(lame.mu > 0.) || !(lame.lambda > 0.))
+      throw Error(format("The tissue with label %u has mu = %g Pa and lambda = %g Pa; both have to "
+                         "be positive.",
+                         label, lame.mu, lame.lambda));
+}
+
+image::VoxelGrid simulation_grid(const LoadedMaps& maps, const FdmParameters& parameters) {
+  double n = 1.;
+  for (unsigned d = 0; d < 3; ++d)
+    n *= (maps.high()[d] - maps.low()[d] + 2. * parameters.padding) / parameters.spacing + 3.;
+  if (!(n < largest_grid))
+    throw Error(format("The simulation grid would have %.1e points, more than %.0e; choose a "
+                       "larger 'FDM/Spacing' than %g mm or less 'FDM/Padding' than %g mm.",
+                       n, largest_grid, parameters.spacing, parameters.padding));
+  return image::grid_around(maps.low(), maps.high(), parameters.spacing,
+                            std::max(parameters.padding, parameters.spacing));
+}
+
+/// r/rho until there is an estimate: critical for the shear of a layer as thick
+/// as the image is along gravity.
+double first_damping(const Material& material, double extent) {
+  double mu = std::numeric_limits<double>::max();
+  for (const auto& tissue : material.tissues)
+    mu = std::min(mu, tissue.second.mu);
+  return numbers::PI * std::sqrt(mu / material.density) / extent;
+}
+
+} // namespace
+
+FdmUnloading::Simulation::Simulation(const FdmParameters& parameters,
+                                     const image::LabelImage& labels, unsigned chest_label,
+                                     const Material& material, const Tensor<1, 3>& gravity,
+                                     const ChestCondition& chest, MPI_Comm communicator,
+                                     std::string name, const Log& log)
+    : parameters_(parameters), name_(std::move(name)), log_(log), gravity_(gravity),
+      density_(material.density),
+      maps_(labels, tissues_of(material, labels, chest_label, name_), chest_label,
+            parameters.map_spacing * parameters.spacing, chest.contact != ChestContact::fixed,
+            parameters.border_scheme()),
+      slab_(simulation_grid(maps_, parameters), communicator), dynamics_(slab_, material.density),
+      chest_(slab_, labels, chest_label, maps_, chest, parameters, material.density),
+      caution_{parameters.lag_factor, parameters.step_safety, parameters.gravity_ramp, 2.} {
+  const bool is_fixed = parameters.border_scheme() == Border::fixed;
+  bool touches = false;
+  std::vector<bool> moves(slab_.n_nodes(), false);
+  for (std::size_t node = slab_.owned_begin(); node < slab_.owned_end(); ++node) {
+    bool held = slab_.on_border(node) || chest_.holds(node);
+    const Point<3> X = slab_.position(node);
+    // On the average the nearest plane of nodes is where the face is.
+    const double half = 0.5 * parameters.spacing;
+    for (unsigned d = 0; d < 3 && is_fixed; ++d) {
+      held = held || (maps_.touched_faces()[d][0] && X[d] < maps_.low()[d] + half) ||
+             (maps_.touched_faces()[d][1] && X[d] > maps_.high()[d] - half);
+      touches = touches || maps_.touched_faces()[d][0] || maps_.touched_faces()[d][1];
+    }
+    moves[node] = !held;
+  }
+  if (chest_.n_nodes() == 0 && Utilities::MPI::max(touches ? 1 : 0, communicator) == 0)
+    throw Error("Nothing holds " + name_ +
+                format(": no voxel has the chest label %u and no tissue is held at the border of "
+                       "the image; check the labels, or set 'FDM/Border' to fixed.",
+                       chest_label));
+  dynamics_.set_mobile(moves);
+
+  // A node is felt by its six neighbours; those of other ranks are near enough.
+  is_near_mobile_.assign(slab_.n_nodes(), false);
+  const std::size_t strides[3] = {1, slab_.row(), slab_.plane()};
+  for (std::size_t node = slab_.owned_begin(); node < slab_.owned_end(); ++node)
+    if (moves[node]) {
+      is_near_mobile_[node] = true;
+      for (const std::size_t stride : strides)
+        is_near_mobile_[node - stride] = is_near_mobile_[node + stride] = true;
+    }
+
+  double extent = 0.;
+  for (unsigned d = 0; d < 3; ++d) {
+    head_ += std::abs(gravity[d]) * (maps_.high()[d] - maps_.low()[d]);
+    extent = std::max(extent, maps_.high()[d] - maps_.low()[d]);
+  }
+  first_damping_ = first_damping(material, extent);
+  damping_ = parameters.damping > 0. ? parameters.damping : 2. * first_damping_;
+  tissue_.assign(slab_.n_nodes(), Real(0));
+  for (unsigned c = 0; c < 3; ++c)
+    pull_back_[c] = extra_force_[c] = tissue_;
+  set_material(material);
+}
+
+void FdmUnloading::Simulation::set_material(const Material& material) {
+  check(material);
+  maps_.set_material(material, parameters_.background_stiffness);
+  force_record_.update(time_, maps_);
+  resample();
+  update_time_step();
+}
+
+void FdmUnloading::Simulation::update_time_step() {
+  const double critical = Utilities::MPI::min(dynamics_.critical_time_step(), slab_.communicator());
+  dynamics_.set_time_step(caution_.step_safety * critical);
+  dynamics_.set_damping(damping_);
+}
+
+void FdmUnloading::Simulation::resample() {
+  for (std::size_t node = 0; node < slab_.n_nodes(); ++node) {
+    if (!is_near_mobile_[node])
+      continue;
+    Point<3> x = slab_.position(node);
+    for (unsigned c = 0; c < 3; ++c)
+      x[c] += pull_back_[c][node];
+    const LoadedMaps::Values values = maps_.values(x);
+    dynamics_.mu[node] = values.mu;
+    dynamics_.lambda[node] = values.lambda;
+    tissue_[node] = values.tissue;
+    for (unsigned c = 0; c < 3; ++c)
+      extra_force_[c][node] = Real(values.force[c] / density_);
+  }
+}
+
+void FdmUnloading::Simulation::update_force() {
+  const double gravity_part = std::min(1., loading_);
+  for (unsigned c = 0; c < 3; ++c) {
+    const Real g = Real(gravity_part * gravity_[c]);
+    for (std::size_t node = slab_.owned_begin(); node < slab_.owned_end(); ++node)
+      dynamics_.force[c][node] = g * tissue_[node] + extra_force_[c][node];
+  }
+}
+
+VectorField FdmUnloading::Simulation::displacement() const {
+  VectorField result{slab_.grid(), std::vector<Tensor<1, 3>>(slab_.grid().n_voxels())};
+  for (unsigned c = 0; c < 3; ++c) {
+    const NodalField component = slab_.gather(dynamics_.displacement[c]);
+    for (std::size_t node = 0; node < component.size(); ++node)
+      result.values[node][c] = component[node];
+  }
+  return result;
+}
+
+void FdmUnloading::Simulation::add_force(const VectorField& force, double ramp_time) {
+  force_record_.add(force, displacement(), time_, ramp_time, maps_);
+}
+
+void FdmUnloading::Simulation::follow() {
+  const double lag = caution_.lag_factor / damping_;
+  const double beta =
+      parameters_.correction_scheme() == Correction::full
+          ? 1.
+          : std::min(1., parameters_.resampling_interval * dynamics_.time_step() / lag);
+  for (unsigned c = 0; c < 3; ++c)
+    for (std::size_t node = 0; node < slab_.n_nodes(); ++node)
+      pull_back_[c][node] += Real(beta) * (dynamics_.displacement[c][node] - pull_back_[c][node]);
+}
+
+Report FdmUnloading::Simulation::steps(unsigned n) {
+  double min_jacobian = std::numeric_limits<double>::max();
+  Report result;
+  for (unsigned i = 0; i < n; ++i) {
+    const bool is_last = i + 1 == n;
+    Dynamics::Vectors before;
+    if (is_last)
+      before = dynamics_.increment;
+    min_jacobian = std::min(min_jacobian, dynamics_.advance_increments());
+    if (is_last)
+      result = report(before, min_jacobian);
+    chest_.correct(dynamics_);
+    dynamics_.move();
+  }
+  return result;
+}
+
+Report FdmUnloading::Simulation::report(const Dynamics::Vectors& before, double min_jacobian) {
+  enum { residual, weight, work, inertia, kinetic, volume, n_sums };
+  double sums[n_sums] = {}, distance = 0., displacement = 0.;
+  for (std::size_t node = slab_.owned_begin(); node < slab_.owned_end(); ++node) {
+    if (!dynamics_.is_mobile(node))
+      continue;
+    Tensor<1, 3> K = dynamics_.acceleration(before, node);
+    const double part = tissue_[node];
+    double u_squared = 0., lag_squared = 0., v_squared = 0.;
+    for (unsigned c = 0; c < 3; ++c) {
+      const double u = dynamics_.displacement[c][node];
+      sums[work] += u * (dynamics_.force[c][node] - K[c]);
+      u_squared += u * u;
+      lag_squared += (u - pull_back_[c][node]) * (u - pull_back_[c][node]);
+      v_squared += double(dynamics_.increment[c][node]) * dynamics_.increment[c][node];
+    }
+    sums[inertia] += u_squared;
+    if (!(part > 0.))
+      continue;
+    chest_.project(dynamics_, node, K);
+    sums[residual] += part * K.norm_square();
+    sums[weight] += part * part * part * gravity_.norm_square();
+    sums[kinetic] += 0.5 * part * v_squared;
+    sums[volume] += part;
+    if (part > 0.5) {
+      distance = std::max(distance, lag_squared);
+      displacement = std::max(displacement, u_squared);
+    }
+  }
+  Utilities::MPI::sum(ArrayView<const double>(sums, n_sums), slab_.communicator(),
+                      ArrayView<double>(sums, n_sums));
+  if (parameters_.damping == 0. && sums[work] > 0. && sums[inertia] > 0.) {
+    // A body that has hardly moved yet seems to have no frequency.
+    damping_ =
+        caution_.damping_factor * std::max(first_damping_, std::sqrt(sums[work] / sums[inertia]));
+  }
+  const double h_t = dynamics_.time_step();
+  Report result;
+  result.min_jacobian = Utilities::MPI::min(min_jacobian, slab_.communicator());
+  result.residual = std::sqrt(sums[residual] / (sums[weight] > 0. ? sums[weight] : 1.));
+  result.distance =
+      holds_reference_ ? 0. : std::sqrt(Utilities::MPI::max(distance, slab_.communicator()));
+  result.max_displacement = std::sqrt(Utilities::MPI::max(displacement, slab_.communicator()));
+  result.kinetic_energy = head_ > 0. ? sums[kinetic] / (h_t * h_t * sums[volume] * head_) : 0.;
+  return result;
+}
+
+} // namespace prosup::fdm

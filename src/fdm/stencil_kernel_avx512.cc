@@ -1,0 +1,5 @@
+#ifdef __AVX512F__
+#define PROSUP_INSTRUCTION_SET avx512
+#define PROSUP_INSTRUCTION_SET_NAME "AVX-512"
+#include "stencil_kernel_loops.h"
+#endif
