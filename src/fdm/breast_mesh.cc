@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "prosup/core/error.h"
+#include "prosup/fdm/trilinear_cell.h"
 #include "prosup/image/sampling.h"
-#include "trilinear_cell.h"
 
 namespace prosup::fdm {
 

@@ -43,10 +43,10 @@ image::ScalarImage smooth_distance(const image::LabelImage& labels, unsigned che
 ChestMotion::ChestMotion(const Slab& slab, const image::LabelImage& labels, unsigned chest_label,
                          const LoadedMaps& maps, const ChestCondition& condition,
                          const FdmParameters& parameters, double density)
-    : slab_(slab), condition_(condition), motion_(parameters.slave_motion_scheme()),
+    : slab_(slab), contact_(condition.contact), motion_(parameters.slave_motion_scheme()),
       correction_(parameters.slave_correction), speed_(parameters.slave_speed),
-      spring_per_mass_(condition.spring_stiffness / (density * parameters.spacing)),
-      held_(slab.n_nodes(), false), slave_of_(slab.n_nodes(), -1) {
+      mass_per_area_(density * parameters.spacing), held_(slab.n_nodes(), false),
+      slave_of_(slab.n_nodes(), -1) {
   const bool slides = condition.contact != ChestContact::fixed;
   const bool has_chest =
       std::find(labels.values.begin(), labels.values.end(), chest_label) != labels.values.end();
@@ -69,6 +69,11 @@ ChestMotion::ChestMotion(const Slab& slab, const image::LabelImage& labels, unsi
     }
   }
   n_nodes_ = Utilities::MPI::sum(n_here, slab.communicator());
+  set_spring_stiffness(condition.spring_stiffness);
+}
+
+void ChestMotion::set_spring_stiffness(double stiffness) {
+  spring_per_mass_ = stiffness / mass_per_area_;
 }
 
 double ChestMotion::distance(const Point<3>& position, Tensor<1, 3>& normal) const {
@@ -95,7 +100,7 @@ void ChestMotion::correct(Dynamics& dynamics) const {
       du += h_t * h_t / dynamics.friction() * spring(u, normal);
     }
     const double gap = slave.distance - distance(slave.position + u + du, normal);
-    if (condition_.contact == ChestContact::sliding || gap > 0.) {
+    if (contact_ == ChestContact::sliding || gap > 0.) {
       double s = 1.;
       if (motion_ == SlaveMotion::gradual) {
         const double approach = (gap > 0. ? 1. : -1.) * (du * normal) / h_t;
@@ -119,7 +124,7 @@ void ChestMotion::project(const Dynamics& dynamics, std::size_t node,
   if (spring_per_mass_ > 0.)
     acceleration += spring(u, normal);
   const double across = acceleration * normal;
-  if (condition_.contact == ChestContact::sliding || across < 0.)
+  if (contact_ == ChestContact::sliding || across < 0.)
     acceleration -= across * normal;
 }
 

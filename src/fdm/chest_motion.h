@@ -25,6 +25,8 @@ public:
   /// Number of nodes held or led, of all ranks.
   unsigned long n_nodes() const { return n_nodes_; }
 
+  void set_spring_stiffness(double stiffness);
+
   /// Adds to the increments of the slave nodes what their springs do in a step,
   /// -k u_t/(rho h), and then x' = x + s(v_s) c(x).
   void correct(Dynamics& dynamics) const;
@@ -41,10 +43,11 @@ private:
   Tensor<1, 3> spring(const Tensor<1, 3>& displacement, const Tensor<1, 3>& normal) const;
 
   const Slab& slab_;
-  const ChestCondition condition_;
+  const ChestContact contact_;
   const SlaveMotion motion_;
   const double correction_, speed_;
-  const double spring_per_mass_; ///< 1/s^2
+  const double mass_per_area_;  ///< of a slave node, g/mm^2
+  double spring_per_mass_ = 0.; ///< 1/s^2
   std::vector<bool> held_;
   std::vector<Slave> slaves_;
   std::vector<int> slave_of_; ///< of each node, -1 for none

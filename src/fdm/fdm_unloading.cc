@@ -147,6 +147,12 @@ void FdmUnloading::Simulation::restore(const State& state) {
   update_time_step();
 }
 
+void FdmUnloading::Simulation::restore(const Snapshot& snapshot) {
+  force_record_ = snapshot.force_record;
+  force_record_.write_again();
+  restore(snapshot.state);
+}
+
 FdmUnloading::FdmUnloading(const FdmParameters& parameters, const image::LabelImage& labels,
                            unsigned chest_label, const Material& material,
                            const dealii::Tensor<1, 3>& gravity, const ChestCondition& chest,
@@ -160,6 +166,10 @@ void FdmUnloading::set_material(const Material& material) {
   simulation_->set_material(material);
 }
 
+void FdmUnloading::set_spring_stiffness(double stiffness) {
+  simulation_->set_spring_stiffness(stiffness);
+}
+
 void FdmUnloading::add_force(const VectorField& force, double ramp_time) {
   simulation_->add_force(force, ramp_time);
 }
@@ -169,7 +179,19 @@ void FdmUnloading::hold_reference() {
 }
 
 UnloadingResult FdmUnloading::run() {
-  return simulation_->simulate(simulation_->max_steps(), true);
+  return run(simulation_->max_steps());
+}
+
+UnloadingResult FdmUnloading::run(unsigned max_steps) {
+  return simulation_->simulate(max_steps, true);
+}
+
+std::shared_ptr<const FdmUnloading::Snapshot> FdmUnloading::save() const {
+  return std::make_shared<Snapshot>(simulation_->snapshot());
+}
+
+void FdmUnloading::restore(const Snapshot& snapshot) {
+  simulation_->restore(snapshot);
 }
 
 UnloadingResult FdmUnloading::advance(unsigned n_steps) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "trilinear_cell.h"
+#include "prosup/fdm/trilinear_cell.h"
 
 namespace prosup::fdm {
 
@@ -52,9 +52,10 @@ void ForceRecord::add(const VectorField& force, const VectorField& displacement,
 
 bool ForceRecord::update(double time, LoadedMaps& maps) {
   const double part = ramp_time_ > 0. ? std::min(1., (time - ramp_start_) / ramp_time_) : 1.;
-  if (part != part_ && !increment_.empty())
-    for (std::size_t node = 0; node < increment_.size(); ++node)
-      maps.set_force(node, sum_[node] + part * increment_[node]);
+  if (part != part_)
+    for (std::size_t node = 0; node < maps.grid().n_voxels(); ++node)
+      maps.set_force(node,
+                     increment_.empty() ? Tensor<1, 3>() : sum_[node] + part * increment_[node]);
   part_ = part;
   return part == 1.;
 }

@@ -22,6 +22,9 @@ public:
   /// it acts.
   bool update(double time, LoadedMaps& maps);
 
+  /// The next update() writes the force even where it has not changed.
+  void write_again() { part_ = -1.; }
+
 private:
   std::vector<Tensor<1, 3>> sum_, increment_; ///< at the points of the maps
   double ramp_start_ = 0., ramp_time_ = 0.;

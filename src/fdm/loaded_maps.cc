@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "trilinear_cell.h"
+#include "prosup/fdm/trilinear_cell.h"
 
 namespace prosup::fdm {
 

@@ -22,6 +22,11 @@ struct State {
   double loading = 0.;         ///< part of gravity that acts, all from 1 on
 };
 
+struct FdmUnloading::Snapshot {
+  State state;
+  ForceRecord force_record;
+};
+
 /// What is known after some steps, of all ranks.
 struct Report {
   double min_jacobian = 0.;
@@ -38,7 +43,10 @@ public:
              MPI_Comm communicator, std::string name, const Log& log);
 
   void set_material(const Material& material);
+  void set_spring_stiffness(double stiffness) { chest_.set_spring_stiffness(stiffness); }
   void add_force(const VectorField& force, double ramp_time);
+  Snapshot snapshot() const { return {save(), force_record_}; }
+  void restore(const Snapshot& snapshot);
   void hold_reference() { holds_reference_ = true; }
   UnloadingResult simulate(unsigned max_steps, bool until_settled);
 

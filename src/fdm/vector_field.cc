@@ -1,6 +1,6 @@
 #include "prosup/fdm/vector_field.h"
 
-#include "trilinear_cell.h"
+#include "prosup/fdm/trilinear_cell.h"
 
 namespace prosup::fdm {
 

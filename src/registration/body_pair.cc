@@ -17,16 +17,6 @@ namespace {
 constexpr std::array<State, 2> both{prone, supine};
 constexpr auto chest_wall = static_cast<dealii::types::boundary_id>(mesh::BoundaryPart::chest_wall);
 
-/// Results of the two states are known to the ranks that hold them; this tells
-/// all others.
-std::array<UnloadingResult, 2> share(std::array<UnloadingResult, 2> results,
-                                     const RankSplit& ranks) {
-  for (const State state : both)
-    results[state] =
-        dealii::Utilities::MPI::broadcast(ranks.world(), results[state], ranks.first_rank(state));
-  return results;
-}
-
 } // namespace
 
 RankSplit::RankSplit(MPI_Comm world) {
@@ -44,6 +34,12 @@ RankSplit::RankSplit(MPI_Comm world) {
 RankSplit::~RankSplit() {
   MPI_Comm_free(&group_);
   MPI_Comm_free(&world_);
+}
+
+std::array<UnloadingResult, 2> RankSplit::share(std::array<UnloadingResult, 2> results) const {
+  for (const State state : both)
+    results[state] = dealii::Utilities::MPI::broadcast(world_, results[state], first_rank(state));
+  return results;
 }
 
 void BodyPair::for_each(const std::function<void(State, BodyState&)>& work) {
@@ -76,7 +72,7 @@ std::array<UnloadingResult, 2> BodyPair::unload(unsigned n_steps) {
   for_each([&](State which, BodyState& state) {
     results[which] = n_steps == 0 ? state.unloading->run() : state.unloading->advance(n_steps);
   });
-  return share(results, ranks_);
+  return ranks_.share(results);
 }
 
 std::array<LoadedState, 2> BodyPair::loaded_states() const {

@@ -1,34 +1,11 @@
 #include "prosup/registration/similarity_setup.h"
 
-#include <algorithm>
-
+#include "compared_images.h"
 #include "prosup/core/parameters.h"
-#include "prosup/image/filters.h"
 
 namespace prosup::registration {
 
 using namespace dealii;
-
-namespace {
-
-image::ScalarImage smoothed(const image::ScalarImage& image, double level) {
-  const auto& spacing = image.grid.spacing;
-  const double finest = std::min({spacing[0], spacing[1], spacing[2]});
-  // Half a voxel of blur per voxel of the coarser grid avoids aliasing.
-  return level > 1.5 * finest ? image::gaussian_smooth(image, 0.5 * level) : image;
-}
-
-/// The chest wall looks like fat: it is no edge that the tissue could be pulled to.
-image::ScalarImage tissue_image(const image::LabelImage& labels, unsigned gland_label) {
-  image::ScalarImage tissue(labels.grid);
-  std::transform(labels.values.begin(), labels.values.end(), tissue.values.begin(),
-                 [&](unsigned label) {
-                   return label == 0 ? 0.f : label == gland_label ? 1.f : 0.5f;
-                 });
-  return tissue;
-}
-
-} // namespace
 
 SimilarityParameters::SimilarityParameters() : ParameterAcceptor("Similarity") {}
 

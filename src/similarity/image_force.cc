@@ -191,11 +191,7 @@ std::vector<float> ImageForce::residuals(const SimilarityDomain& domain,
                                          const std::array<LoadedState, 2>& states) const {
   VoxelDerivatives derivatives;
   metric_->evaluate(warp(domain, states), derivatives);
-  std::vector<float> residuals = std::move(derivatives.slope[prone]);
-  const std::vector<float>& curvature = derivatives.curvature[prone];
-  for (std::size_t v = 0; v < residuals.size(); ++v)
-    residuals[v] = curvature[v] > 0.f ? residuals[v] / std::sqrt(curvature[v]) : 0.f;
-  return residuals;
+  return residuals_of(std::move(derivatives));
 }
 
 WarpedPair ImageForce::warp(const SimilarityDomain& domain,

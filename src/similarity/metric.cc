@@ -1,5 +1,8 @@
 #include "prosup/similarity/metric.h"
 
+#include <cmath>
+#include <utility>
+
 #include "prosup/core/error.h"
 #include "prosup/similarity/local_correlation.h"
 #include "prosup/similarity/mutual_information.h"
@@ -48,6 +51,14 @@ std::unique_ptr<Metric> make_metric(const std::string& name, const MetricParamet
   for (const std::string& known : metric_names())
     allowed += (allowed.empty() ? "" : ", ") + known;
   throw Error("There is no similarity metric '" + name + "'; allowed are: " + allowed + ".");
+}
+
+std::vector<float> residuals_of(VoxelDerivatives derivatives) {
+  std::vector<float> residuals = std::move(derivatives.slope[prone]);
+  const std::vector<float>& curvature = derivatives.curvature[prone];
+  for (std::size_t v = 0; v < residuals.size(); ++v)
+    residuals[v] = curvature[v] > 0.f ? residuals[v] / std::sqrt(curvature[v]) : 0.f;
+  return residuals;
 }
 
 } // namespace prosup::similarity

@@ -47,6 +47,9 @@ public:
   /// Changes the stiffness of the tissues and continues from the present state.
   void set_material(const Material& material);
 
+  /// Changes the springs on the chest, Pa/mm.
+  void set_spring_stiffness(double stiffness);
+
   /// Adds a force density, given at points X of grid(), that rises linearly from 0
   /// to its value over `ramp_time` seconds from now. It is kept in the loaded
   /// configuration, at x = X + u(X), from where it is resampled as the material is.
@@ -61,8 +64,16 @@ public:
   /// @throws DivergenceError when all retries are used up; the last good state is
   /// restored first.
   UnloadingResult run();
+  /// The same, at most `max_steps` steps.
+  UnloadingResult run(unsigned max_steps);
   /// Simulates `n_steps` steps. @throws as run().
   UnloadingResult advance(unsigned n_steps);
+
+  /// What has to be kept to return to a state: positions, velocities and forces, not the
+  /// material.
+  struct Snapshot;
+  std::shared_ptr<const Snapshot> save() const;
+  void restore(const Snapshot& snapshot);
 
   /// The simulation grid, in the unloaded configuration.
   const image::VoxelGrid& grid() const;

@@ -35,6 +35,10 @@ public:
   /// Rank in world() of the first rank that works on a state.
   int first_rank(State state) const { return first_rank_[state]; }
 
+  /// Tells all ranks the results of the two states, which those that hold them know.
+  std::array<unloading::UnloadingResult, 2>
+  share(std::array<unloading::UnloadingResult, 2> results) const;
+
 private:
   MPI_Comm world_;
   MPI_Comm group_;

@@ -37,6 +37,10 @@ struct VoxelDerivatives {
   void reset(std::size_t n_voxels);
 };
 
+/// slope/curvature^1/2 of the prone image: for the SSD h^{3/2} (P - S), whose squares add up to
+/// twice the value.
+std::vector<float> residuals_of(VoxelDerivatives derivatives);
+
 /// A measure of the dissimilarity of two warped images: the smaller the more
 /// alike. It sees voxels only, no mesh.
 class Metric {

@@ -1,5 +1,5 @@
-#ifndef PROSUP_SRC_FDM_TRILINEAR_CELL_H
-#define PROSUP_SRC_FDM_TRILINEAR_CELL_H
+#ifndef PROSUP_FDM_TRILINEAR_CELL_H
+#define PROSUP_FDM_TRILINEAR_CELL_H
 
 #include <algorithm>
 #include <cstddef>
