@@ -62,8 +62,10 @@ void CaseParameters::declare_parameters(ParameterHandler& prm) {
                     "Motion of the tissue on the chest wall. fixed: none. sliding: along it. "
                     "one-sided: along it, and it may lift off. Units: none.",
                     one_of(unloading::chest_condition_names()));
-  prm.add_parameter("Method", method_, "Numerical method. Allowed: fe (finite elements).",
-                    Patterns::Selection("fe"));
+  prm.add_parameter("Method", method_,
+                    "Numerical method of register and unload. fe: finite elements. fdm: the "
+                    "finite differences of the paper, for comparison.",
+                    Patterns::Selection("fe|fdm"));
 }
 
 void CaseParameters::parse_parameters(ParameterHandler&) {

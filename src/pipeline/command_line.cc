@@ -60,7 +60,7 @@ void add_case_options(CLI::App& command, Options& options) {
       {"--prone-gravity", "Prone gravity", "Direction of gravity, x,y,z (LPS)", false},
       {"--supine-gravity", "Supine gravity", "Direction of gravity, x,y,z (LPS)", false},
       {"--chest", "Chest", "Motion on the chest wall: fixed, sliding or one-sided", false},
-      {"--method", "Method", "Numerical method: fe", false},
+      {"--method", "Method", "Numerical method: fe or fdm", false},
       {"--state", "State", "What mesh, unload and load work on: prone or supine", false},
   };
   for (const CaseOption& c : case_options)

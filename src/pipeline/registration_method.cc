@@ -1,12 +1,13 @@
 #include "prosup/pipeline/registration_method.h"
 
+#include "finite_differences.h"
 #include "finite_elements.h"
 #include "prosup/core/error.h"
 
 namespace prosup::pipeline {
 
 const std::vector<std::string>& method_names() {
-  static const std::vector<std::string> names{"fe"};
+  static const std::vector<std::string> names{"fe", "fdm"};
   return names;
 }
 
@@ -15,6 +16,8 @@ std::unique_ptr<RegistrationMethod> make_method(const std::string& name, const S
                                                 const Log& log) {
   if (name == "fe")
     return std::make_unique<FiniteElements>(stages, ranks, log);
+  if (name == "fdm")
+    return std::make_unique<FiniteDifferences>(stages, ranks, log);
   throw Error("There is no method '" + name + "'.");
 }
 

@@ -55,6 +55,7 @@ protected:
   const std::string name_; ///< of the state
   MPI_Comm world_;
   const Log log_;
+  image::LabelImage labels_; ///< on rank 0
   std::optional<OriginalImage> original_;
   LandmarkEvaluation landmarks_;
   mesh::UnloadedMesh mesh_;
@@ -71,7 +72,7 @@ private:
 
   const std::string command_, simulation_;
   StageTimer timer_;
-  image::LabelImage labels_, other_labels_;
+  image::LabelImage other_labels_;
 };
 
 } // namespace prosup::pipeline

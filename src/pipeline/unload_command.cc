@@ -1,3 +1,5 @@
+#include "finite_differences.h"
+#include "prosup/image/broadcast.h"
 #include "prosup/mesh/deformation.h"
 #include "prosup/output/pictures.h"
 #include "single_state_job.h"
@@ -12,7 +14,7 @@ public:
   UnloadJob(const Stages& stages, MPI_Comm world)
       : SingleStateJob(stages, world, "unload", "Unloading") {}
 
-private:
+protected:
   mesh::UnloadedMesh simulate(mesh::TetMesh mesh) override {
     const auto body = make_body(stages_, mesh, world_);
     const mechanics::NodeVector unloaded = equilibrium(*body, Direction::unload);
@@ -32,10 +34,39 @@ private:
   }
 };
 
+/// The same by finite differences, which need no mesh.
+class GridUnloadJob : public UnloadJob {
+public:
+  using UnloadJob::UnloadJob;
+
+private:
+  mesh::TetMesh make_mesh() override { return {}; }
+
+  mesh::UnloadedMesh simulate(mesh::TetMesh) override {
+    image::broadcast(labels_, world_);
+    const unsigned chest_label = stages_.mesher.chest_label;
+    fdm::Material material = registration::grid_material(
+        stages_.material, stages_.material.initial(), labels_, chest_label);
+    material.density = stages_.unloading.density;
+    fdm::FdmUnloading unloading(
+        stages_.fdm, labels_, chest_label, material,
+        acceleration(stages_, stages_.scene.gravity[state_]),
+        {chest_contact(stages_), stages_.supports.chest_stiffness(stages_.scene.chest())}, world_,
+        name_, log_);
+    const fdm::UnloadingResult result = unloading.run();
+    log_.line(describe(name_, registration::as_unloading_result(result)));
+    n_steps_ = result.n_steps;
+    converged_ = result.converged;
+    return mesh_of_grid(stages_, unloading.displacement(), labels_);
+  }
+};
+
 } // namespace
 
 bool run_unload(const Stages& stages, const dealii::ParameterHandler& parameters,
                 const std::filesystem::path& output, MPI_Comm world) {
+  if (stages.scene.method() == "fdm")
+    return GridUnloadJob(stages, world).run(parameters, output);
   return UnloadJob(stages, world).run(parameters, output);
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "prosup/fdm/fdm_parameters.h"
 #include "prosup/mechanics/element.h"
 #include "prosup/mechanics/material.h"
 #include "prosup/mechanics/quasi_static.h"
@@ -36,6 +37,7 @@ struct Stages {
   unloading::SupportParameters supports;
   unloading::UnloadingParameters unloading;
   mechanics::QuasiStaticParameters quasi_static;
+  fdm::FdmParameters fdm;
   SingleStateParameters single_state;
   registration::SimilarityParameters similarity;
   registration::MaterialUpdate material_update;

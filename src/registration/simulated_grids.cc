@@ -1,0 +1,186 @@
+#include "prosup/registration/simulated_grids.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <set>
+#include <utility>
+
+#include "compared_images.h"
+#include "grid_similarity.h"
+#include "prosup/core/collective.h"
+
+namespace prosup::registration {
+
+using namespace dealii;
+using similarity::prone;
+using similarity::state_names;
+using similarity::supine;
+using unloading::UnloadingResult;
+
+namespace {
+
+constexpr std::array<State, 2> both{prone, supine};
+
+std::vector<unsigned> tissue_labels(const image::LabelImage& labels, unsigned chest_label) {
+  std::set<unsigned> found(labels.values.begin(), labels.values.end());
+  found.erase(0);
+  found.erase(chest_label);
+  return {found.begin(), found.end()};
+}
+
+} // namespace
+
+fdm::Material grid_material(const mechanics::TissueMaterial& material,
+                            const mechanics::TissueStiffness& stiffness,
+                            const image::LabelImage& labels, unsigned chest_label) {
+  const std::vector<unsigned> tissues = tissue_labels(labels, chest_label);
+  const auto parameters = material.parameters_of(tissues, stiffness);
+  fdm::Material result;
+  for (std::size_t i = 0; i < tissues.size(); ++i) {
+    const mechanics::LameParameters& lame = parameters[parameters.size() == 1 ? 0 : i];
+    result.tissues[tissues[i]] = {lame.mu, lame.lambda};
+  }
+  return result;
+}
+
+UnloadingResult as_unloading_result(const fdm::UnloadingResult& result) {
+  UnloadingResult copy;
+  copy.converged = result.converged;
+  copy.n_steps = result.n_steps;
+  copy.n_retries = result.n_retries;
+  copy.residual = result.residual;
+  copy.distance = result.distance;
+  copy.min_jacobian = result.min_jacobian;
+  copy.explanation = result.explanation;
+  return copy;
+}
+
+/// Both displacements as they are now.
+struct SimulatedGrids::Displaced {
+  std::array<std::unique_ptr<const fdm::VectorField>, 2> fields;
+  std::array<GridState, 2> states;
+};
+
+template <typename Work>
+void SimulatedGrids::for_each(Work&& work) const {
+  on_every_rank(ranks_.world(), [&] {
+    for (const State state : both)
+      if (ranks_.holds(state))
+        work(state);
+  });
+}
+
+SimulatedGrids::SimulatedGrids(const RankSplit& ranks, const GridSetup& setup,
+                               const similarity::Scene& scene,
+                               std::array<image::ScalarImage, 2> images,
+                               const MechanicalProperties& properties)
+    : ranks_(ranks), setup_(setup), scene_(scene), images_(std::move(images)),
+      properties_(properties) {
+  for_each([&](State state) {
+    fdm::Material material =
+        grid_material(setup_.material, properties.tissue, scene.labels[state], scene.chest_label);
+    material.density = setup_.density;
+    unloading_[state] = std::make_unique<fdm::FdmUnloading>(
+        setup_.parameters, scene.labels[state], scene.chest_label, material, setup_.gravity[state],
+        fdm::ChestCondition{setup_.contact, properties.chest_stiffness}, ranks_.group(),
+        state_names[state], Log(ranks_.group()));
+  });
+}
+
+SimulatedGrids::~SimulatedGrids() = default;
+
+bool SimulatedGrids::has_gland() const {
+  // All ranks have the labels of both states.
+  for (const image::LabelImage& labels : scene_.labels)
+    if (setup_.material.has_gland(tissue_labels(labels, scene_.chest_label)))
+      return true;
+  return false;
+}
+
+void SimulatedGrids::set_properties(const MechanicalProperties& properties) {
+  properties_ = properties;
+  for_each([&](State state) {
+    fdm::Material material =
+        grid_material(setup_.material, properties.tissue, scene_.labels[state], scene_.chest_label);
+    material.density = setup_.density;
+    unloading_[state]->set_material(material);
+    unloading_[state]->set_spring_stiffness(properties.chest_stiffness);
+  });
+}
+
+template <typename Run>
+std::array<UnloadingResult, 2> SimulatedGrids::run(Run&& run) {
+  std::array<UnloadingResult, 2> results;
+  for_each([&](State state) { results[state] = as_unloading_result(run(*unloading_[state])); });
+  return ranks_.share(std::move(results));
+}
+
+std::array<UnloadingResult, 2> SimulatedGrids::unload(unsigned max_steps) {
+  return run([&](fdm::FdmUnloading& unloading) {
+    return max_steps == 0 ? unloading.run() : unloading.run(max_steps);
+  });
+}
+
+std::array<UnloadingResult, 2> SimulatedGrids::advance(unsigned n_steps) {
+  return run([&](fdm::FdmUnloading& unloading) { return unloading.advance(n_steps); });
+}
+
+void SimulatedGrids::save() {
+  for_each([&](State state) { saved_[state] = unloading_[state]->save(); });
+}
+
+void SimulatedGrids::restore() {
+  for_each([&](State state) { unloading_[state]->restore(*saved_[state]); });
+}
+
+SimulatedGrids::Displaced SimulatedGrids::displaced() const {
+  Displaced result;
+  for_each([&](State state) {
+    result.fields[state] = std::make_unique<fdm::VectorField>(displacement(state));
+    result.states[state] = {result.fields[state].get(), &compared_images_[state]};
+  });
+  return result;
+}
+
+void SimulatedGrids::compare_on(double level, Compared compared) {
+  const bool by_images = compared == Compared::images;
+  metric_ = by_images ? setup_.similarity.metric : "ssd of tissues";
+  for (const State state : both)
+    if (ranks_.holds(state))
+      compared_images_[state] =
+          smoothed(by_images ? images_[state]
+                             : tissue_image(scene_.labels[state], setup_.material.gland_label()),
+                   level);
+  const Displaced present = displaced();
+  similarity_ = std::make_unique<GridSimilarity>(
+      ranks_, scene_,
+      by_images
+          ? similarity::make_metric(setup_.similarity.metric, setup_.similarity.metric_parameters)
+          : similarity::make_metric("ssd"),
+      present.states, level);
+}
+
+double SimulatedGrids::value() const {
+  return similarity_->value(displaced().states);
+}
+
+std::vector<float> SimulatedGrids::residuals() const {
+  return similarity_->residuals(displaced().states);
+}
+
+double SimulatedGrids::find_forces(similarity::Variable variable) {
+  return similarity_->forces(displaced().states, variable, forces_);
+}
+
+void SimulatedGrids::add_forces(double weight, double momentum, double n_ramp_steps) {
+  for_each([&](State state) {
+    fdm::VectorField& increment = increments_[state];
+    if (increment.values.empty())
+      increment = {forces_[state].grid, std::vector<Tensor<1, 3>>(forces_[state].values.size())};
+    for (std::size_t i = 0; i < increment.values.size(); ++i)
+      increment.values[i] = momentum * increment.values[i] + weight * forces_[state].values[i];
+    unloading_[state]->add_force(increment, n_ramp_steps * unloading_[state]->time_step());
+  });
+}
+
+} // namespace prosup::registration
