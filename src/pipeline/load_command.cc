@@ -1,3 +1,4 @@
+#include "prosup/core/error.h"
 #include "prosup/mesh/deformation.h"
 #include "prosup/output/pictures.h"
 #include "prosup/output/vtu.h"
@@ -61,6 +62,9 @@ private:
 
 bool run_load(const Stages& stages, const dealii::ParameterHandler& parameters,
               const std::filesystem::path& output, MPI_Comm world) {
+  if (stages.scene.method() != "fe")
+    throw Error("'Case/Method' is " + stages.scene.method() +
+                ", but load knows finite elements only; use --method fe.");
   return LoadJob(stages, world).run(parameters, output);
 }
 
