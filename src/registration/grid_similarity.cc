@@ -114,12 +114,13 @@ GridSimilarity::Samples GridSimilarity::sample(const GridState& state, State whi
         const Point<3> X =
             grid_.physical(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k));
         const Point<3> x = X + state.displacement->value(X);
+        const float here = content(scene_, which, x);
         Tensor<1, 3> gradient;
         samples.voxels.push_back(i + grid_.size[0] * (j + grid_.size[1] * k));
         samples.positions.push_back(X);
-        samples.values.push_back(sampler.value_and_gradient(x, gradient));
+        samples.values.push_back(here == no_force ? 0.f : sampler.value_and_gradient(x, gradient));
         samples.gradients.emplace_back(gradient);
-        samples.contents.push_back(content(scene_, which, x));
+        samples.contents.push_back(here);
       }
   return samples;
 }
