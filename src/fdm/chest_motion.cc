@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "prosup/image/filters.h"
 #include "prosup/image/sampling.h"
@@ -16,7 +17,7 @@ namespace {
 
 // A node is held if more than this part of the volume around it is chest: if it is in
 // the chest, or on its surface but for the rounding of the voxels.
-constexpr float held_part = 0.45f;
+const float held_part = getenv("HP")?atof(getenv("HP")):0.45f;
 
 Tensor<1, 3> at(const Dynamics::Vectors& vectors, std::size_t node) {
   return Tensor<1, 3>({vectors[0][node], vectors[1][node], vectors[2][node]});
