@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
+#include <limits>
 
 #include "prosup/image/filters.h"
 #include "prosup/image/sampling.h"
@@ -14,10 +14,6 @@ namespace prosup::fdm {
 using namespace dealii;
 
 namespace {
-
-// A node is held if more than this part of the volume around it is chest: if it is in
-// the chest, or on its surface but for the rounding of the voxels.
-const float held_part = getenv("HP")?atof(getenv("HP")):0.45f;
 
 Tensor<1, 3> at(const Dynamics::Vectors& vectors, std::size_t node) {
   return Tensor<1, 3>({vectors[0][node], vectors[1][node], vectors[2][node]});
@@ -46,28 +42,28 @@ ChestMotion::ChestMotion(const Slab& slab, const image::LabelImage& labels, unsi
                          const FdmParameters& parameters, double density)
     : slab_(slab), contact_(condition.contact), motion_(parameters.slave_motion_scheme()),
       correction_(parameters.slave_correction), speed_(parameters.slave_speed),
-      mass_per_area_(density * parameters.spacing), held_(slab.n_nodes(), false),
+      mass_per_area_(density * parameters.spacing), wall_distance_(slab.n_nodes(), std::numeric_limits<float>::max()),
       slave_of_(slab.n_nodes(), -1) {
   const bool slides = condition.contact != ChestContact::fixed;
   const bool has_chest =
       std::find(labels.values.begin(), labels.values.end(), chest_label) != labels.values.end();
-  if (slides && has_chest)
+  if (has_chest)
     distance_ = smooth_distance(labels, chest_label, maps, parameters.spacing);
   unsigned long n_here = 0;
-  for (std::size_t node = slab.owned_begin(); has_chest && node < slab.owned_end(); ++node) {
+  for (std::size_t node = 0; has_chest && node < slab.n_nodes(); ++node) {
     const Point<3> position = slab.position(node);
-    if (slides) {
-      Tensor<1, 3> normal;
-      const double depth = distance(position, normal);
-      if (std::abs(depth) <= 0.5 * parameters.spacing && !slab.on_border(node)) {
-        slave_of_[node] = int(slaves_.size());
-        slaves_.push_back({node, position, depth});
-        ++n_here;
-      }
-    } else if (maps.values(position).chest > held_part) {
-      held_[node] = true;
-      ++n_here;
+    Tensor<1, 3> normal;
+    const double depth = distance(position, normal);
+    const bool is_owned = node >= slab.owned_begin() && node < slab.owned_end();
+    if (!slides)
+      wall_distance_[node] = float(depth);
+    const bool is_slave = slides && is_owned && std::abs(depth) <= 0.5 * parameters.spacing &&
+                          !slab.on_border(node);
+    if (is_slave) {
+      slave_of_[node] = int(slaves_.size());
+      slaves_.push_back({node, position, depth});
     }
+    n_here += is_slave || (!slides && is_owned && depth <= 0. ? 1 : 0);
   }
   n_nodes_ = Utilities::MPI::sum(n_here, slab.communicator());
   set_spring_stiffness(condition.spring_stiffness);

@@ -188,13 +188,16 @@ void LoadedMaps::set_material(const Material& material, double stiffness) {
   // The geometric mean: by the arithmetic one a layer of air as thick as the grid is
   // wide is nearly as stiff as the tissue next to it, and the body too thick.
   for (std::size_t node = 0; node < grid_.n_voxels(); ++node) {
-    double log_mu = 0., log_lambda = 0.;
-    for (std::size_t t = 0; t < all.size(); ++t) {
-      log_mu += parts_[t][node] * std::log(all[t].mu);
-      log_lambda += parts_[t][node] * std::log(all[t].lambda);
+    double mu = 0., lambda = 0., tissue = 0.;
+    for (std::size_t t = 0; t + 1 < all.size(); ++t) {
+      tissue += parts_[t][node];
+      mu += parts_[t][node] * all[t].mu;
+      lambda += parts_[t][node] * all[t].lambda;
     }
-    values_[node].mu = float(std::exp(log_mu));
-    values_[node].lambda = float(std::exp(log_lambda));
+    const double air = 1. - tissue;
+    const double floor = 1e-6;
+    values_[node].mu = float(std::pow(std::max(mu, floor)/std::max(tissue, floor), tissue) * std::pow(all.back().mu, air));
+    values_[node].lambda = float(std::pow(std::max(lambda, floor)/std::max(tissue, floor), tissue) * std::pow(all.back().lambda, air));
   }
 }
 

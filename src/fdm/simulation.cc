@@ -79,21 +79,25 @@ FdmUnloading::Simulation::Simulation(const FdmParameters& parameters,
       slab_(simulation_grid(maps_, parameters), communicator), dynamics_(slab_, material.density),
       chest_(slab_, labels, chest_label, maps_, chest, parameters, material.density),
       caution_{parameters.lag_factor, parameters.step_safety, parameters.gravity_ramp, 2.} {
-  const bool is_fixed = parameters.border_scheme() == Border::fixed;
+  const bool has_faces = parameters.border_scheme() == Border::fixed;
   bool touches = false;
-  std::vector<bool> moves(slab_.n_nodes(), false);
-  for (std::size_t node = slab_.owned_begin(); node < slab_.owned_end(); ++node) {
-    bool held = slab_.on_border(node) || chest_.holds(node);
+  std::vector<float> distances(slab_.n_nodes());
+  for (std::size_t node = 0; node < slab_.n_nodes(); ++node) {
     const Point<3> X = slab_.position(node);
-    // On the average the nearest plane of nodes is where the face is.
-    const double half = 0.5 * parameters.spacing;
-    for (unsigned d = 0; d < 3 && is_fixed; ++d) {
-      held = held || (maps_.touched_faces()[d][0] && X[d] < maps_.low()[d] + half) ||
-             (maps_.touched_faces()[d][1] && X[d] > maps_.high()[d] - half);
+    double distance = chest_.wall_distance(node);
+    for (unsigned d = 0; d < 3 && has_faces; ++d) {
+      if (maps_.touched_faces()[d][0])
+        distance = std::min(distance, X[d] - maps_.low()[d]);
+      if (maps_.touched_faces()[d][1])
+        distance = std::min(distance, maps_.high()[d] - X[d]);
       touches = touches || maps_.touched_faces()[d][0] || maps_.touched_faces()[d][1];
     }
-    moves[node] = !held;
+    distances[node] = float(distance);
   }
+  wall_ = std::make_unique<Wall>(slab_, distances);
+  std::vector<bool> moves(slab_.n_nodes(), false);
+  for (std::size_t node = slab_.owned_begin(); node < slab_.owned_end(); ++node)
+    moves[node] = !slab_.on_border(node) && !wall_->leads(node);
   if (chest_.n_nodes() == 0 && Utilities::MPI::max(touches ? 1 : 0, communicator) == 0)
     throw Error("Nothing holds " + name_ +
                 format(": no voxel has the chest label %u and no tissue is held at the border of "
@@ -201,6 +205,7 @@ Report FdmUnloading::Simulation::steps(unsigned n) {
       result = report(before, min_jacobian);
     chest_.correct(dynamics_);
     dynamics_.move();
+    wall_->lead(dynamics_);
   }
   return result;
 }
