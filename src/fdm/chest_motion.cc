@@ -6,9 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "prosup/image/filters.h"
-#include "prosup/image/sampling.h"
-
 namespace prosup::fdm {
 
 using namespace dealii;
@@ -17,22 +14,6 @@ namespace {
 
 Tensor<1, 3> at(const Dynamics::Vectors& vectors, std::size_t node) {
   return Tensor<1, 3>({vectors[0][node], vectors[1][node], vectors[2][node]});
-}
-
-/// The distances on a grid half as wide as the simulation's: smooth over the
-/// stairs of the voxels.
-image::ScalarImage smooth_distance(const image::LabelImage& labels, unsigned chest_label,
-                                   const LoadedMaps& maps, double spacing) {
-  const image::ScalarImage fine =
-      image::signed_distance(image::select_labels(labels, {chest_label}));
-  const image::BasicSampler<float> sampler(fine);
-  image::ScalarImage result(image::grid_around(maps.low(), maps.high(), 0.5 * spacing, 0.));
-  std::size_t n = 0;
-  for (std::size_t k = 0; k < result.grid.size[2]; ++k)
-    for (std::size_t j = 0; j < result.grid.size[1]; ++j)
-      for (std::size_t i = 0; i < result.grid.size[0]; ++i)
-        result.values[n++] = sampler.value(result.grid.physical(double(i), double(j), double(k)));
-  return result;
 }
 
 } // namespace
@@ -48,12 +29,12 @@ ChestMotion::ChestMotion(const Slab& slab, const image::LabelImage& labels, unsi
   const bool has_chest =
       std::find(labels.values.begin(), labels.values.end(), chest_label) != labels.values.end();
   if (has_chest)
-    distance_ = smooth_distance(labels, chest_label, maps, parameters.spacing);
+    distance_ = SmoothDistance(labels, chest_label, maps.low(), maps.high(), parameters.spacing);
   unsigned long n_here = 0;
   for (std::size_t node = 0; has_chest && node < slab.n_nodes(); ++node) {
     const Point<3> position = slab.position(node);
     Tensor<1, 3> normal;
-    const double depth = distance(position, normal);
+    const double depth = distance_.value(position, normal);
     const bool is_owned = node >= slab.owned_begin() && node < slab.owned_end();
     if (!slides)
       wall_distance_[node] = float(depth);
@@ -73,14 +54,6 @@ void ChestMotion::set_spring_stiffness(double stiffness) {
   spring_per_mass_ = stiffness / mass_per_area_;
 }
 
-double ChestMotion::distance(const Point<3>& position, Tensor<1, 3>& normal) const {
-  const double result = image::BasicSampler<double>(distance_).value_and_gradient(position, normal);
-  const double length = normal.norm();
-  if (length > 0.)
-    normal /= length;
-  return result;
-}
-
 Tensor<1, 3> ChestMotion::spring(const Tensor<1, 3>& displacement,
                                  const Tensor<1, 3>& normal) const {
   return -spring_per_mass_ * (displacement - (displacement * normal) * normal);
@@ -93,10 +66,10 @@ void ChestMotion::correct(Dynamics& dynamics) const {
     const Tensor<1, 3> u = at(dynamics.displacement, slave.node);
     Tensor<1, 3> du = at(dynamics.increment, slave.node), normal;
     if (spring_per_mass_ > 0.) {
-      distance(slave.position + u, normal);
+      distance_.value(slave.position + u, normal);
       du += h_t * h_t / dynamics.friction() * spring(u, normal);
     }
-    const double gap = slave.distance - distance(slave.position + u + du, normal);
+    const double gap = slave.distance - distance_.value(slave.position + u + du, normal);
     if (contact_ == ChestContact::sliding || gap > 0.) {
       double s = 1.;
       if (motion_ == SlaveMotion::gradual) {
@@ -117,7 +90,7 @@ void ChestMotion::project(const Dynamics& dynamics, std::size_t node,
   const Slave& slave = slaves_[slave_of_[node]];
   const Tensor<1, 3> u = at(dynamics.displacement, node);
   Tensor<1, 3> normal;
-  distance(slave.position + u, normal);
+  distance_.value(slave.position + u, normal);
   if (spring_per_mass_ > 0.)
     acceleration += spring(u, normal);
   const double across = acceleration * normal;

@@ -7,7 +7,7 @@
 #include "loaded_maps.h"
 #include "prosup/fdm/chest_condition.h"
 #include "prosup/fdm/fdm_parameters.h"
-#include "prosup/image/voxel_image.h"
+#include "smooth_distance.h"
 
 namespace prosup::fdm {
 
@@ -39,7 +39,6 @@ private:
     Point<3> position; ///< X
     double distance;   ///< from the chest at X, mm
   };
-  double distance(const Point<3>& position, Tensor<1, 3>& normal) const;
   Tensor<1, 3> spring(const Tensor<1, 3>& displacement, const Tensor<1, 3>& normal) const;
 
   const Slab& slab_;
@@ -51,7 +50,7 @@ private:
   std::vector<float> wall_distance_;
   std::vector<Slave> slaves_;
   std::vector<int> slave_of_; ///< of each node, -1 for none
-  image::ScalarImage distance_;
+  SmoothDistance distance_;
   unsigned long n_nodes_ = 0;
 };
 

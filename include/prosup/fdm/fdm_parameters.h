@@ -43,7 +43,7 @@ public:
   double spacing = 8.;                ///< h, mm
   double padding = 40.;               ///< mm
   std::string border;                 ///< of border_names()
-  double background_stiffness = 0.03; ///< mu over that of the softest tissue
+  double background_stiffness = 0.02; ///< mu over that of the softest tissue
   double map_spacing = 1.25;          ///< of the maps, over h
   std::string correction;             ///< of correction_names()
   double lag_factor = 2.5;            ///< tau r/rho, of the relaxed correction
