@@ -65,11 +65,13 @@ void ChestMotion::correct(Dynamics& dynamics) const {
   for (const Slave& slave : slaves_) {
     const Tensor<1, 3> u = at(dynamics.displacement, slave.node);
     Tensor<1, 3> du = at(dynamics.increment, slave.node), normal;
-    if (spring_per_mass_ > 0.) {
-      distance_.value(slave.position + u, normal);
+    distance_.value(slave.position + u, normal);
+    if (spring_per_mass_ > 0.)
       du += h_t * h_t / dynamics.friction() * spring(u, normal);
-    }
-    const double gap = slave.distance - distance_.value(slave.position + u + du, normal);
+    // Pushed back along the normal from where it comes, a node that rests stays at rest.
+    Tensor<1, 3> next_normal;
+    const double gap =
+        slave.distance - distance_.value(slave.position + u + du, next_normal);
     if (contact_ == ChestContact::sliding || gap > 0.) {
       double s = 1.;
       if (motion_ == SlaveMotion::gradual) {
