@@ -23,7 +23,8 @@ ChestMotion::ChestMotion(const Slab& slab, const image::LabelImage& labels, unsi
                          const FdmParameters& parameters, double density)
     : slab_(slab), contact_(condition.contact), motion_(parameters.slave_motion_scheme()),
       correction_(parameters.slave_correction), speed_(parameters.slave_speed),
-      mass_per_area_(density * parameters.spacing), wall_distance_(slab.n_nodes(), std::numeric_limits<float>::max()),
+      mass_per_area_(density * parameters.spacing),
+      wall_distance_(slab.n_nodes(), std::numeric_limits<float>::max()),
       slave_of_(slab.n_nodes(), -1) {
   const bool slides = condition.contact != ChestContact::fixed;
   const bool has_chest =
@@ -38,8 +39,10 @@ ChestMotion::ChestMotion(const Slab& slab, const image::LabelImage& labels, unsi
     const bool is_owned = node >= slab.owned_begin() && node < slab.owned_end();
     if (!slides)
       wall_distance_[node] = float(depth);
-    const bool is_slave = slides && is_owned && std::abs(depth) <= 0.5 * parameters.spacing &&
-                          !slab.on_border(node);
+    // One layer, also where the surface is halfway between two.
+    const double half = 0.5 * parameters.spacing;
+    const bool is_slave =
+        slides && is_owned && depth > -half && depth <= half && !slab.on_border(node);
     if (is_slave) {
       slave_of_[node] = int(slaves_.size());
       slaves_.push_back({node, position, depth});
@@ -70,8 +73,7 @@ void ChestMotion::correct(Dynamics& dynamics) const {
       du += h_t * h_t / dynamics.friction() * spring(u, normal);
     // Pushed back along the normal from where it comes, a node that rests stays at rest.
     Tensor<1, 3> next_normal;
-    const double gap =
-        slave.distance - distance_.value(slave.position + u + du, next_normal);
+    const double gap = slave.distance - distance_.value(slave.position + u + du, next_normal);
     if (contact_ == ChestContact::sliding || gap > 0.) {
       double s = 1.;
       if (motion_ == SlaveMotion::gradual) {

@@ -196,8 +196,11 @@ void LoadedMaps::set_material(const Material& material, double stiffness) {
     }
     const double air = 1. - tissue;
     const double floor = 1e-6;
-    values_[node].mu = float(std::pow(std::max(mu, floor)/std::max(tissue, floor), tissue) * std::pow(all.back().mu, air));
-    values_[node].lambda = float(std::pow(std::max(lambda, floor)/std::max(tissue, floor), tissue) * std::pow(all.back().lambda, air));
+    values_[node].mu = float(std::pow(std::max(mu, floor) / std::max(tissue, floor), tissue) *
+                             std::pow(all.back().mu, air));
+    values_[node].lambda =
+        float(std::pow(std::max(lambda, floor) / std::max(tissue, floor), tissue) *
+              std::pow(all.back().lambda, air));
   }
 }
 

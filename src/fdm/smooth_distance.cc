@@ -21,8 +21,7 @@ SmoothDistance::SmoothDistance(const image::LabelImage& labels, unsigned label, 
   for (std::size_t k = 0; k < grid.size[2]; ++k)
     for (std::size_t j = 0; j < grid.size[1]; ++j)
       for (std::size_t i = 0; i < grid.size[0]; ++i)
-        coefficients_.values[n++] =
-            sampler.value(grid.physical(double(i), double(j), double(k)));
+        coefficients_.values[n++] = sampler.value(grid.physical(double(i), double(j), double(k)));
 }
 
 double SmoothDistance::value(const Point<3>& position, Tensor<1, 3>& normal) const {
@@ -47,8 +46,7 @@ double SmoothDistance::value(const Point<3>& position, Tensor<1, 3>& normal) con
   for (unsigned k = 0; k < 3; ++k)
     for (unsigned j = 0; j < 3; ++j)
       for (unsigned i = 0; i < 3; ++i) {
-        const double coefficient =
-            coefficients_(first[0] + i, first[1] + j, first[2] + k);
+        const double coefficient = coefficients_(first[0] + i, first[1] + j, first[2] + k);
         const double wx = weight[0][i], wy = weight[1][j], wz = weight[2][k];
         value += wx * wy * wz * coefficient;
         normal[0] += slope[0][i] * wy * wz * coefficient;
