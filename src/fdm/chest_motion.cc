@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "prosup/image/filters.h"
-#include "prosup/image/sampling.h"
+#include <limits>
 
 namespace prosup::fdm {
 
@@ -14,28 +12,8 @@ using namespace dealii;
 
 namespace {
 
-// A node is held if more than this part of the volume around it is chest: if it is in
-// the chest, or on its surface but for the rounding of the voxels.
-constexpr float held_part = 0.45f;
-
 Tensor<1, 3> at(const Dynamics::Vectors& vectors, std::size_t node) {
   return Tensor<1, 3>({vectors[0][node], vectors[1][node], vectors[2][node]});
-}
-
-/// The distances on a grid half as wide as the simulation's: smooth over the
-/// stairs of the voxels.
-image::ScalarImage smooth_distance(const image::LabelImage& labels, unsigned chest_label,
-                                   const LoadedMaps& maps, double spacing) {
-  const image::ScalarImage fine =
-      image::signed_distance(image::select_labels(labels, {chest_label}));
-  const image::BasicSampler<float> sampler(fine);
-  image::ScalarImage result(image::grid_around(maps.low(), maps.high(), 0.5 * spacing, 0.));
-  std::size_t n = 0;
-  for (std::size_t k = 0; k < result.grid.size[2]; ++k)
-    for (std::size_t j = 0; j < result.grid.size[1]; ++j)
-      for (std::size_t i = 0; i < result.grid.size[0]; ++i)
-        result.values[n++] = sampler.value(result.grid.physical(double(i), double(j), double(k)));
-  return result;
 }
 
 } // namespace
@@ -45,28 +23,31 @@ ChestMotion::ChestMotion(const Slab& slab, const image::LabelImage& labels, unsi
                          const FdmParameters& parameters, double density)
     : slab_(slab), contact_(condition.contact), motion_(parameters.slave_motion_scheme()),
       correction_(parameters.slave_correction), speed_(parameters.slave_speed),
-      mass_per_area_(density * parameters.spacing), held_(slab.n_nodes(), false),
+      mass_per_area_(density * parameters.spacing),
+      wall_distance_(slab.n_nodes(), std::numeric_limits<float>::max()),
       slave_of_(slab.n_nodes(), -1) {
   const bool slides = condition.contact != ChestContact::fixed;
   const bool has_chest =
       std::find(labels.values.begin(), labels.values.end(), chest_label) != labels.values.end();
-  if (slides && has_chest)
-    distance_ = smooth_distance(labels, chest_label, maps, parameters.spacing);
+  if (has_chest)
+    distance_ = SmoothDistance(labels, chest_label, maps.low(), maps.high(), parameters.spacing);
   unsigned long n_here = 0;
-  for (std::size_t node = slab.owned_begin(); has_chest && node < slab.owned_end(); ++node) {
+  for (std::size_t node = 0; has_chest && node < slab.n_nodes(); ++node) {
     const Point<3> position = slab.position(node);
-    if (slides) {
-      Tensor<1, 3> normal;
-      const double depth = distance(position, normal);
-      if (std::abs(depth) <= 0.5 * parameters.spacing && !slab.on_border(node)) {
-        slave_of_[node] = int(slaves_.size());
-        slaves_.push_back({node, position, depth});
-        ++n_here;
-      }
-    } else if (maps.values(position).chest > held_part) {
-      held_[node] = true;
-      ++n_here;
+    Tensor<1, 3> normal;
+    const double depth = distance_.value(position, normal);
+    const bool is_owned = node >= slab.owned_begin() && node < slab.owned_end();
+    if (!slides)
+      wall_distance_[node] = float(depth);
+    // One layer, also where the surface is halfway between two.
+    const double half = 0.5 * parameters.spacing;
+    const bool is_slave =
+        slides && is_owned && depth > -half && depth <= half && !slab.on_border(node);
+    if (is_slave) {
+      slave_of_[node] = int(slaves_.size());
+      slaves_.push_back({node, position, depth});
     }
+    n_here += is_slave || (!slides && is_owned && depth <= 0. ? 1 : 0);
   }
   n_nodes_ = Utilities::MPI::sum(n_here, slab.communicator());
   set_spring_stiffness(condition.spring_stiffness);
@@ -74,14 +55,6 @@ ChestMotion::ChestMotion(const Slab& slab, const image::LabelImage& labels, unsi
 
 void ChestMotion::set_spring_stiffness(double stiffness) {
   spring_per_mass_ = stiffness / mass_per_area_;
-}
-
-double ChestMotion::distance(const Point<3>& position, Tensor<1, 3>& normal) const {
-  const double result = image::BasicSampler<double>(distance_).value_and_gradient(position, normal);
-  const double length = normal.norm();
-  if (length > 0.)
-    normal /= length;
-  return result;
 }
 
 Tensor<1, 3> ChestMotion::spring(const Tensor<1, 3>& displacement,
@@ -95,11 +68,12 @@ void ChestMotion::correct(Dynamics& dynamics) const {
   for (const Slave& slave : slaves_) {
     const Tensor<1, 3> u = at(dynamics.displacement, slave.node);
     Tensor<1, 3> du = at(dynamics.increment, slave.node), normal;
-    if (spring_per_mass_ > 0.) {
-      distance(slave.position + u, normal);
+    distance_.value(slave.position + u, normal);
+    if (spring_per_mass_ > 0.)
       du += h_t * h_t / dynamics.friction() * spring(u, normal);
-    }
-    const double gap = slave.distance - distance(slave.position + u + du, normal);
+    // Pushed back along the normal from where it comes, a node that rests stays at rest.
+    Tensor<1, 3> next_normal;
+    const double gap = slave.distance - distance_.value(slave.position + u + du, next_normal);
     if (contact_ == ChestContact::sliding || gap > 0.) {
       double s = 1.;
       if (motion_ == SlaveMotion::gradual) {
@@ -120,7 +94,7 @@ void ChestMotion::project(const Dynamics& dynamics, std::size_t node,
   const Slave& slave = slaves_[slave_of_[node]];
   const Tensor<1, 3> u = at(dynamics.displacement, node);
   Tensor<1, 3> normal;
-  distance(slave.position + u, normal);
+  distance_.value(slave.position + u, normal);
   if (spring_per_mass_ > 0.)
     acceleration += spring(u, normal);
   const double across = acceleration * normal;

@@ -7,12 +7,12 @@
 #include "loaded_maps.h"
 #include "prosup/fdm/chest_condition.h"
 #include "prosup/fdm/fdm_parameters.h"
-#include "prosup/image/voxel_image.h"
+#include "smooth_distance.h"
 
 namespace prosup::fdm {
 
-/// What the chest, which is rigid, does to the nodes of the grid: it holds those
-/// within (fixed), or keeps the nodes at its surface at their distance from it by
+/// What the chest, which is rigid, does to the nodes of the grid: it is a wall
+/// (fixed), or keeps the nodes at its surface at their distance from it by
 /// the paper's eq. 10, while others within are soft and free.
 class ChestMotion {
 public:
@@ -20,9 +20,9 @@ public:
               const LoadedMaps& maps, const ChestCondition& condition,
               const FdmParameters& parameters, double density);
 
-  /// Whether the chest holds this node.
-  bool holds(std::size_t node) const { return held_[node]; }
-  /// Number of nodes held or led, of all ranks.
+  /// Distance of a node from the chest where this is a wall, else beyond all measure, mm.
+  float wall_distance(std::size_t node) const { return wall_distance_[node]; }
+  /// Number of nodes in a chest that is a wall, or on one that tissue slides on, of all ranks.
   unsigned long n_nodes() const { return n_nodes_; }
 
   void set_spring_stiffness(double stiffness);
@@ -39,7 +39,6 @@ private:
     Point<3> position; ///< X
     double distance;   ///< from the chest at X, mm
   };
-  double distance(const Point<3>& position, Tensor<1, 3>& normal) const;
   Tensor<1, 3> spring(const Tensor<1, 3>& displacement, const Tensor<1, 3>& normal) const;
 
   const Slab& slab_;
@@ -48,10 +47,10 @@ private:
   const double correction_, speed_;
   const double mass_per_area_;  ///< of a slave node, g/mm^2
   double spring_per_mass_ = 0.; ///< 1/s^2
-  std::vector<bool> held_;
+  std::vector<float> wall_distance_;
   std::vector<Slave> slaves_;
   std::vector<int> slave_of_; ///< of each node, -1 for none
-  image::ScalarImage distance_;
+  SmoothDistance distance_;
   unsigned long n_nodes_ = 0;
 };
 

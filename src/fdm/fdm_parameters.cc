@@ -22,8 +22,8 @@ const std::vector<std::string>& slave_motion_names() {
 }
 
 FdmParameters::FdmParameters()
-    : ParameterAcceptor("FDM"), border(border_names().front()),
-      correction(correction_names().front()), slave_motion(slave_motion_names().front()) {}
+    : ParameterAcceptor("FDM"), border("fixed"), correction(correction_names().front()),
+      slave_motion(slave_motion_names().front()) {}
 
 Border FdmParameters::border_scheme() const {
   return enumerator<Border>(border, border_names());
@@ -44,10 +44,12 @@ void FdmParameters::declare_parameters(ParameterHandler& prm) {
                     "How far the simulation grid reaches beyond the image on all sides; there "
                     "u = 0. Units: mm.",
                     Patterns::Double(0., 1000.));
-  prm.add_parameter("Border", border,
-                    "What surrounds the image. padded: soft background, as in the paper. fixed: "
-                    "u = 0 on and beyond the faces of the image that tissue touches. Units: none.",
-                    one_of(border_names()));
+  prm.add_parameter(
+      "Border", border,
+      "What surrounds the image; there everything goes on as at its border. padded: it moves "
+      "as far as the grid reaches, as in the paper. fixed: u = 0 on and beyond the "
+      "faces of the image that tissue touches. Units: none.",
+      one_of(border_names()));
   prm.add_parameter("Background stiffness", background_stiffness,
                     "Stiffness of air over that of the softest tissue. Units: none.",
                     Patterns::Double(1e-4, 1.));

@@ -22,7 +22,7 @@ constexpr float least_known = 0.02f;
 } // namespace
 
 LoadedMaps::LoadedMaps(const image::LabelImage& labels, const std::vector<unsigned>& tissue_labels,
-                       unsigned chest_label, double spacing, bool chest_is_soft, Border border)
+                       unsigned chest_label, double spacing, bool chest_is_soft)
     : tissue_labels_(tissue_labels) {
   const image::VoxelGrid& voxels = labels.grid;
   for (unsigned d = 0; d < 3; ++d) {
@@ -42,8 +42,7 @@ LoadedMaps::LoadedMaps(const image::LabelImage& labels, const std::vector<unsign
   grid_ = image::grid_around(low_, high_, spacing, 2. * spacing);
   average(labels, chest_label);
   normalise(chest_is_soft, grid_.voxel_volume());
-  if (border == Border::fixed)
-    continue_beyond(touched_);
+  continue_beyond();
 }
 
 void LoadedMaps::average(const image::LabelImage& labels, unsigned chest_label) {
@@ -103,7 +102,7 @@ void LoadedMaps::normalise(bool chest_is_soft, double full_weight) {
       sum += parts_[t][node];
       tissue += t < n_tissues ? parts_[t][node] : 0.f;
     }
-    // Beyond the image there is background.
+    // Beyond the image there is nothing yet.
     float& air = parts_[n_tissues][node];
     air = std::max(0.f, 1.f - chest - tissue);
     if (chest_is_soft)
@@ -152,14 +151,15 @@ void LoadedMaps::continue_into_chest(std::vector<bool> known) {
   }
 }
 
-void LoadedMaps::continue_beyond(const Faces& faces) {
-  // Nodes within one spacing of a face have seen less than their full volume.
+void LoadedMaps::continue_beyond() {
+  // A body that ended at the image would run over the edge of the chest. Nodes within
+  // one spacing of a face have seen less than their full volume.
   std::array<std::size_t, 3> first, last;
   for (unsigned d = 0; d < 3; ++d) {
     const double inner_low = (low_[d] - grid_.origin[d]) / grid_.spacing[d] + 1.;
     const double inner_high = (high_[d] - grid_.origin[d]) / grid_.spacing[d] - 1.;
-    first[d] = faces[d][0] ? std::size_t(std::ceil(inner_low)) : 0;
-    last[d] = faces[d][1] ? std::size_t(inner_high) : grid_.size[d] - 1;
+    first[d] = std::size_t(std::ceil(inner_low));
+    last[d] = std::max(first[d], std::size_t(inner_high));
   }
   std::array<std::size_t, 3> i;
   for (i[2] = 0; i[2] < grid_.size[2]; ++i[2])
@@ -188,13 +188,19 @@ void LoadedMaps::set_material(const Material& material, double stiffness) {
   // The geometric mean: by the arithmetic one a layer of air as thick as the grid is
   // wide is nearly as stiff as the tissue next to it, and the body too thick.
   for (std::size_t node = 0; node < grid_.n_voxels(); ++node) {
-    double log_mu = 0., log_lambda = 0.;
-    for (std::size_t t = 0; t < all.size(); ++t) {
-      log_mu += parts_[t][node] * std::log(all[t].mu);
-      log_lambda += parts_[t][node] * std::log(all[t].lambda);
+    double mu = 0., lambda = 0., tissue = 0.;
+    for (std::size_t t = 0; t + 1 < all.size(); ++t) {
+      tissue += parts_[t][node];
+      mu += parts_[t][node] * all[t].mu;
+      lambda += parts_[t][node] * all[t].lambda;
     }
-    values_[node].mu = float(std::exp(log_mu));
-    values_[node].lambda = float(std::exp(log_lambda));
+    const double air = 1. - tissue;
+    const double floor = 1e-6;
+    values_[node].mu = float(std::pow(std::max(mu, floor) / std::max(tissue, floor), tissue) *
+                             std::pow(all.back().mu, air));
+    values_[node].lambda =
+        float(std::pow(std::max(lambda, floor) / std::max(tissue, floor), tissue) *
+              std::pow(all.back().lambda, air));
   }
 }
 

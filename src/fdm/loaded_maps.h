@@ -17,9 +17,10 @@ class LoadedMaps {
 public:
   /// Averages the labels to a grid of `spacing` mm that holds the image. What is
   /// neither tissue nor chest is background. If `chest_is_soft`, the chest is
-  /// background too; else it does not count: tissue goes on into it.
+  /// background too; else it does not count: tissue goes on into it. Beyond the
+  /// image everything goes on as at its border.
   LoadedMaps(const image::LabelImage& labels, const std::vector<unsigned>& tissue_labels,
-             unsigned chest_label, double spacing, bool chest_is_soft, Border border);
+             unsigned chest_label, double spacing, bool chest_is_soft);
 
   /// lambda, mu of the tissues, and of a background whose mu is `stiffness` times
   /// that of the softest tissue.
@@ -50,7 +51,7 @@ private:
   void average(const image::LabelImage& labels, unsigned chest_label);
   void normalise(bool chest_is_soft, double full_weight);
   void continue_into_chest(std::vector<bool> known);
-  void continue_beyond(const Faces& faces);
+  void continue_beyond();
 
   image::VoxelGrid grid_;
   Point<3> low_, high_;

@@ -1,6 +1,7 @@
 #ifndef PROSUP_SRC_FDM_SIMULATION_H
 #define PROSUP_SRC_FDM_SIMULATION_H
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "loaded_maps.h"
 #include "prosup/fdm/fdm_unloading.h"
 #include "slab.h"
+#include "wall.h"
 
 namespace prosup::fdm {
 
@@ -85,6 +87,7 @@ private:
   Slab slab_;
   Dynamics dynamics_;
   ChestMotion chest_;
+  std::unique_ptr<Wall> wall_;
   std::vector<bool> is_near_mobile_; ///< nodes whose material is felt
   Dynamics::Vectors pull_back_;
   NodalField tissue_;
