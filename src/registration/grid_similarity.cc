@@ -86,6 +86,20 @@ Tensor<2, 3> deformation_gradient(const VectorField& u, const Point<3>& X) {
 
 } // namespace
 
+double smallest_tissue_jacobian(const VectorField& u, const similarity::Scene& scene, State which) {
+  double smallest = std::numeric_limits<double>::max();
+  std::size_t node = 0;
+  for (std::size_t k = 0; k < u.grid.size[2]; ++k)
+    for (std::size_t j = 0; j < u.grid.size[1]; ++j)
+      for (std::size_t i = 0; i < u.grid.size[0]; ++i, ++node) {
+        const Point<3> X =
+            u.grid.physical(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k));
+        if (content(scene, which, X + u.values[node]) == tissue)
+          smallest = std::min(smallest, determinant(deformation_gradient(u, X)));
+      }
+  return smallest;
+}
+
 /// What one rank knows of one state: voxels with tissue and around it.
 struct GridSimilarity::Samples {
   std::vector<std::size_t> voxels;

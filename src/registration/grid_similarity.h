@@ -18,6 +18,10 @@ struct GridState {
   const image::ScalarImage* image = nullptr;      ///< in the loaded state
 };
 
+/// Smallest J = det dx/dX at the grid points with tissue, of this state.
+double smallest_tissue_jacobian(const fdm::VectorField& displacement,
+                                const similarity::Scene& scene, State which);
+
 /// Compares images that displacements on grids warp to a common unloaded grid of voxels, and
 /// finds the image forces at the points of the simulation grids. Voxels count where either
 /// image has tissue and none has chest, an excluded region or the end of its field of view.

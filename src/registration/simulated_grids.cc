@@ -111,7 +111,11 @@ void SimulatedGrids::set_properties(const MechanicalProperties& properties) {
 template <typename Run>
 std::array<UnloadingResult, 2> SimulatedGrids::run(Run&& run) {
   std::array<UnloadingResult, 2> results;
-  for_each([&](State state) { results[state] = as_unloading_result(run(*unloading_[state])); });
+  for_each([&](State state) {
+    results[state] = as_unloading_result(run(*unloading_[state]));
+    // The soft background may be squeezed, the tissue not.
+    results[state].min_jacobian = smallest_tissue_jacobian(displacement(state), scene_, state);
+  });
   return ranks_.share(std::move(results));
 }
 
