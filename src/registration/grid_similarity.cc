@@ -61,11 +61,15 @@ image::VoxelGrid common_grid(const RankSplit& ranks, const similarity::Scene& sc
             ends[3 + d] = std::max(ends[3 + d], X[d]);
           }
         }
-    // Tissue goes on beyond the last point.
-    for (double& end : ends)
-      end += u.grid.spacing[0];
   }
   MPI_Allreduce(MPI_IN_PLACE, ends, 6, MPI_DOUBLE, MPI_MAX, ranks.world());
+  // Tissue goes on beyond the last point; both grids have the same spacing.
+  double beyond = 0.;
+  for (const GridState& state : states)
+    if (state.displacement != nullptr)
+      beyond = state.displacement->grid.spacing[0];
+  for (double& end : ends)
+    end += beyond;
   return image::grid_around(Point<3>(-ends[0], -ends[1], -ends[2]),
                             Point<3>(ends[3], ends[4], ends[5]), spacing, spacing);
 }
