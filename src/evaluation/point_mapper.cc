@@ -1,26 +1,23 @@
 #include "prosup/evaluation/point_mapper.h"
 
-#include <vtkCellArray.h>
-#include <vtkGenericCell.h>
-#include <vtkNew.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkStaticCellLocator.h>
+#include <deal.II/base/symmetric_tensor.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "prosup/core/error.h"
+#include "surface_locator.h"
 #include "tet_locator.h"
 
 namespace prosup::evaluation {
 
 namespace {
 
-using Face = std::array<unsigned, 3>;
+using Face = SurfaceLocator::Face;
 
 /// The faces that belong to one cell only: the surface of the mesh.
 std::vector<Face> surface_faces(const std::vector<std::array<unsigned, 4>>& cells) {
@@ -64,75 +61,59 @@ void check(const mesh::UnloadedMesh& mesh) {
 constexpr double inverse_tolerance = 1e-4; // mm
 constexpr unsigned max_iterations = 30;
 
-/// Scratch memory of VTK's locators, one per thread because they write to it.
-vtkGenericCell* thread_cell() {
-  thread_local vtkNew<vtkGenericCell> cell;
-  return cell;
-}
-
 } // namespace
 
 /// The mesh in one configuration: finds the tetrahedron at a point, or the
 /// surface triangle closest to it.
 class PointMapper::Configuration {
 public:
+  /// A point beside the mesh in the other configuration.
+  struct Outside {
+    Point<3> position;
+    Tensor<2, 3> gradient; ///< of the position
+    std::size_t face;      ///< the closest one
+    double distance;
+  };
+
   Configuration(const std::vector<Point<3>>& nodes, const TetLocator::Cells& cells,
                 const std::vector<Face>& surface)
-      : nodes_(nodes), cells_(cells), surface_(surface), cell_locator_(nodes, cells) {
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    points->SetNumberOfPoints(static_cast<vtkIdType>(nodes.size()));
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      points->SetPoint(static_cast<vtkIdType>(i), nodes[i][0], nodes[i][1], nodes[i][2]);
-    vtkNew<vtkCellArray> triangles;
-    for (const Face& face : surface)
-      triangles->InsertNextCell({face[0], face[1], face[2]});
-    vtkNew<vtkPolyData> boundary;
-    boundary->SetPoints(points);
-    boundary->SetPolys(triangles);
-    surface_locator_->SetDataSet(boundary);
-    surface_locator_->BuildLocator();
+      : nodes_(nodes), cells_(cells), surface_(surface), cell_locator_(nodes, cells),
+        surface_locator_(nodes, surface) {}
+
+  /// Where `p` goes with the mesh to the configuration `other`; nothing outside.
+  std::optional<Point<3>> map_inside(const Point<3>& p, const Configuration& other) const {
+    const auto hit = cell_locator_.find(p);
+    if (!hit)
+      return {};
+    Point<3> mapped = p;
+    for (unsigned a = 0; a < 4; ++a)
+      mapped += hit->weights[a] * displacement(cells_[hit->cell][a], other);
+    return mapped;
   }
 
-  /// Where `p` goes with the mesh to the configuration `other`.
-  MappedPoint map(const Point<3>& p, const Configuration& other) const {
-    if (const auto hit = cell_locator_.find(p))
-      return {p + displacement(cells_[hit->cell], hit->weights, other), 0.};
-    return map_outside(p, other);
+  /// Where `p` goes with the closest point of the surface, of which `face` is near, if known.
+  Outside map_outside(const Point<3>& p, const Configuration& other, std::size_t face = 0) const {
+    const SurfaceLocator::Hit hit = surface_locator_.closest(p, face);
+    Outside mapped{p, Tensor<2, 3>(dealii::unit_symmetric_tensor<3>()), hit.face,
+                   std::sqrt(hit.squared_distance)};
+    for (unsigned a = 0; a < 3; ++a) {
+      const Tensor<1, 3> u = displacement(surface_[hit.face][a], other);
+      mapped.position += hit.weights[a] * u;
+      mapped.gradient += dealii::outer_product(u, hit.gradients[a]);
+    }
+    return mapped;
   }
 
 private:
-  template <std::size_t n>
-  Tensor<1, 3> displacement(const std::array<unsigned, n>& corners,
-                            const std::array<double, n>& weights,
-                            const Configuration& other) const {
-    Tensor<1, 3> result;
-    for (std::size_t a = 0; a < n; ++a)
-      result += weights[a] * (other.nodes_[corners[a]] - nodes_[corners[a]]);
-    return result;
-  }
-
-  MappedPoint map_outside(const Point<3>& p, const Configuration& other) const {
-    const double x[3] = {p[0], p[1], p[2]};
-    double closest[3], squared_distance = 0.;
-    vtkIdType face = -1;
-    int unused = 0;
-    vtkGenericCell* triangle = thread_cell();
-    surface_locator_->FindClosestPoint(x, closest, triangle, face, unused, squared_distance);
-    // The search leaves the last triangle it looked at, not the closest one.
-    surface_locator_->GetDataSet()->GetCell(face, triangle);
-    std::array<double, 3> weights{};
-    double parametric[3], in_plane[3], off_plane = 0.;
-    triangle->EvaluatePosition(closest, in_plane, unused, parametric, off_plane, weights.data());
-    return {p + displacement(surface_[static_cast<std::size_t>(face)], weights, other),
-            std::sqrt(squared_distance)};
+  Tensor<1, 3> displacement(unsigned node, const Configuration& other) const {
+    return other.nodes_[node] - nodes_[node];
   }
 
   std::vector<Point<3>> nodes_;
   TetLocator::Cells cells_;
   std::vector<Face> surface_;
   TetLocator cell_locator_;
-  vtkNew<vtkStaticCellLocator> surface_locator_;
+  SurfaceLocator surface_locator_;
 };
 
 PointMapper::PointMapper(const mesh::UnloadedMesh& mesh) {
@@ -153,22 +134,30 @@ MappedPoint PointMapper::map(const Point<3>& point, State from) const {
                 "are LPS, mm.");
   const Configuration& here = from == State::loaded ? *loaded_ : *unloaded_;
   const Configuration& there = from == State::loaded ? *unloaded_ : *loaded_;
-  MappedPoint mapped = here.map(point, there);
-  if (from == State::loaded && mapped.distance_outside > 0.)
-    mapped.position = inverse_outside(point, mapped.position);
-  return mapped;
+  if (const auto mapped = here.map_inside(point, there))
+    return {*mapped, 0.};
+  const Configuration::Outside mapped = here.map_outside(point, there);
+  if (from == State::unloaded)
+    return {mapped.position, mapped.distance};
+  return {inverse_outside(point, mapped.position, mapped.face), mapped.distance};
 }
 
-Point<3> PointMapper::inverse_outside(const Point<3>& loaded, const Point<3>& guess) const {
+Point<3> PointMapper::inverse_outside(const Point<3>& loaded, const Point<3>& guess,
+                                      std::size_t face) const {
   Point<3> best = guess, unloaded = guess;
   double least = std::numeric_limits<double>::max();
   for (unsigned i = 0; i < max_iterations && least > inverse_tolerance; ++i) {
-    const Tensor<1, 3> missing = loaded - unloaded_->map(unloaded, *loaded_).position;
-    if (missing.norm() < least) {
+    const auto inside = unloaded_->map_inside(unloaded, *loaded_);
+    const auto beside = unloaded_->map_outside(unloaded, *loaded_, face);
+    face = beside.face;
+    const Tensor<1, 3> missing = loaded - inside.value_or(beside.position);
+    const bool falls = missing.norm() < least;
+    if (falls) {
       least = missing.norm();
       best = unloaded;
     }
-    unloaded += missing;
+    const bool newton = falls && !inside && dealii::determinant(beside.gradient) > 0.1;
+    unloaded += newton ? dealii::invert(beside.gradient) * missing : missing;
   }
   return best;
 }

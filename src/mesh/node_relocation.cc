@@ -33,10 +33,12 @@ struct Goal {
     return std::min(std::copysign(min_height(x), ratio) / height, ratio / quality);
   }
 
-  double reached(const TetMesh& mesh, const std::vector<unsigned>& cells) const {
+  /// The least of `cells`, or of the first of them if these do not exceed `limit` already.
+  double reached(const TetMesh& mesh, const std::vector<unsigned>& cells, double limit) const {
     double result = std::numeric_limits<double>::infinity();
     for (const unsigned c : cells)
-      result = std::min(result, reached(mesh, c));
+      if ((result = std::min(result, reached(mesh, c))) <= limit)
+        break;
     return result;
   }
 };
@@ -58,7 +60,7 @@ void relocate(TetMesh& mesh, unsigned node, const std::vector<unsigned>& star, u
               const SurfaceProjection& projection, const Goal& goal) {
   static const std::vector<Vector> directions = search_directions();
   const double first_step = 0.5 * goal.height;
-  double best = goal.reached(mesh, star);
+  double best = goal.reached(mesh, star, -std::numeric_limits<double>::infinity());
   for (double step = first_step; step > 0.1 * first_step;) {
     const Point<3> start = mesh.points[node];
     Point<3> winner = start;
@@ -67,7 +69,8 @@ void relocate(TetMesh& mesh, unsigned node, const std::vector<unsigned>& star, u
       if (!projection.apply(mesh.points[node], patches))
         continue;
       // Smaller gains would only shuffle nodes about.
-      if (const double reached = goal.reached(mesh, star); reached > best + 1e-3) {
+      const double least = best + 1e-3;
+      if (const double reached = goal.reached(mesh, star, least); reached > least) {
         best = reached;
         winner = mesh.points[node];
       }

@@ -1,6 +1,7 @@
 #ifndef PROSUP_EVALUATION_POINT_MAPPER_H
 #define PROSUP_EVALUATION_POINT_MAPPER_H
 
+#include <cstddef>
 #include <memory>
 
 #include "prosup/mesh/tet_mesh.h"
@@ -55,8 +56,9 @@ public:
 private:
   class Configuration;
 
-  /// X near `guess` with X + d(c(X)) = loaded, by fixed-point iteration.
-  Point<3> inverse_outside(const Point<3>& loaded, const Point<3>& guess) const;
+  /// X near `guess` with X + d(c(X)) = loaded, by Newton's method where it serves; `face` of
+  /// the surface is near c.
+  Point<3> inverse_outside(const Point<3>& loaded, const Point<3>& guess, std::size_t face) const;
 
   std::unique_ptr<Configuration> loaded_, unloaded_;
 };
