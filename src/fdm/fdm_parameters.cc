@@ -7,7 +7,7 @@ namespace prosup::fdm {
 using namespace dealii;
 
 const std::vector<std::string>& border_names() {
-  static const std::vector<std::string> names{"padded", "fixed"};
+  static const std::vector<std::string> names{"automatic", "padded", "fixed"};
   return names;
 }
 
@@ -22,8 +22,8 @@ const std::vector<std::string>& slave_motion_names() {
 }
 
 FdmParameters::FdmParameters()
-    : ParameterAcceptor("FDM"), border("fixed"), correction(correction_names().front()),
-      slave_motion(slave_motion_names().front()) {}
+    : ParameterAcceptor("FDM"), border(border_names().front()),
+      correction(correction_names().front()), slave_motion(slave_motion_names().front()) {}
 
 Border FdmParameters::border_scheme() const {
   return enumerator<Border>(border, border_names());
@@ -48,7 +48,8 @@ void FdmParameters::declare_parameters(ParameterHandler& prm) {
       "Border", border,
       "What surrounds the image; there everything goes on as at its border. padded: it moves "
       "as far as the grid reaches, as in the paper. fixed: u = 0 on and beyond the "
-      "faces of the image that tissue touches. Units: none.",
+      "faces of the image that tissue touches. automatic: padded where tissue is fixed to a "
+      "chest, and fixed where it slides or there is none. Units: none.",
       one_of(border_names()));
   prm.add_parameter("Background stiffness", background_stiffness,
                     "Stiffness of air over that of the softest tissue. Units: none.",

@@ -15,6 +15,7 @@ namespace {
 constexpr unsigned blocks_per_update = 10; ///< of the time step and the good state
 constexpr double smallest_healthy_jacobian = 0.01;
 constexpr double ramp_in_lags = 4.;
+constexpr double stiffest_background = 0.1; // over that of the softest tissue
 // An error that has not halved in so many steps flutters.
 constexpr unsigned steps_to_halve = 1000;
 
@@ -108,13 +109,19 @@ void FdmUnloading::Simulation::retreat(const std::string& trouble, UnloadingResu
   strengthen();
   caution_.gravity_ramp = std::max(2. * caution_.gravity_ramp, ramp_in_lags * caution_.lag_factor);
   caution_.step_safety *= 0.8;
+  // Short of the time step, what diverges is the jump of stiffness at the skin.
+  if (caution_.background_stiffness < stiffest_background) {
+    caution_.background_stiffness =
+        std::min(2. * caution_.background_stiffness, stiffest_background);
+    maps_.set_material(material_, caution_.background_stiffness);
+  }
   // A good state from which it diverged twice was none.
   restore(has_kept_ ? last_good_ : first_);
   last_good_ = first_;
   last_good_error_ = std::numeric_limits<double>::max();
   has_kept_ = false;
-  log_.line(format("  %s: %s after %u steps; goes on from a good state with a longer lag and "
-                   "smaller steps.",
+  log_.line(format("  %s: %s after %u steps; goes on from a good state with stiffer air, a "
+                   "longer lag and smaller steps.",
                    name_.c_str(), trouble.c_str(), result.n_steps));
 }
 

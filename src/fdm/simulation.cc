@@ -26,7 +26,8 @@ void check(const Material& material) {
 
 void FdmUnloading::Simulation::set_material(const Material& material) {
   check(material);
-  maps_.set_material(material, parameters_.background_stiffness);
+  material_ = material;
+  maps_.set_material(material_, caution_.background_stiffness);
   force_record_.update(time_, maps_);
   resample();
   update_time_step();

@@ -61,8 +61,8 @@ public:
 private:
   /// Values that a return makes safer.
   struct Caution {
-    double lag_factor, step_safety, gravity_ramp; ///< as in the parameters
-    double damping_factor;                        ///< automatic r/rho over the lowest frequency
+    double lag_factor, step_safety, gravity_ramp, background_stiffness; ///< as in the parameters
+    double damping_factor; ///< automatic r/rho over the lowest frequency
   };
 
   Report steps(unsigned n);
@@ -82,6 +82,7 @@ private:
   const Log log_;
   const Tensor<1, 3> gravity_;
   double density_;
+  Material material_;
   LoadedMaps maps_;
   ForceRecord force_record_;
   Slab slab_;

@@ -97,8 +97,12 @@ FdmUnloading::Simulation::Simulation(const FdmParameters& parameters,
             parameters.map_spacing * parameters.spacing, chest.contact != ChestContact::fixed),
       slab_(simulation_grid(maps_, parameters), communicator), dynamics_(slab_, material.density),
       chest_(slab_, labels, chest_label, maps_, chest, parameters, material.density),
-      caution_{parameters.lag_factor, parameters.step_safety, parameters.gravity_ramp, 2.} {
-  const bool has_faces = parameters.border_scheme() == Border::fixed;
+      caution_{parameters.lag_factor, parameters.step_safety, parameters.gravity_ramp,
+               parameters.background_stiffness, 2.} {
+  const bool is_held_by_chest = chest.contact == ChestContact::fixed && chest_.n_nodes() > 0;
+  const Border border = parameters.border_scheme();
+  const bool has_faces =
+      border == Border::fixed || (border == Border::automatic && !is_held_by_chest);
   wall_ = std::make_unique<Wall>(slab_, wall_distances(slab_, chest_, maps_, has_faces));
   std::vector<bool> moves(slab_.n_nodes(), false);
   for (std::size_t node = slab_.owned_begin(); node < slab_.owned_end(); ++node)

@@ -122,7 +122,8 @@ std::string comparison_picture(const Comparison& comparison) {
       chart.series.insert(chart.series.begin(), front_of(chart.series));
     charts.push_back(std::move(chart));
   }
-  return svg_of(charts, comparison.title, x.label, Scale::logarithmic);
+  return svg_of(charts, comparison.title, comparison.x_label.empty() ? x.label : comparison.x_label,
+                Scale::logarithmic);
 }
 
 } // namespace prosup::output

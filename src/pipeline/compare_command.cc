@@ -35,13 +35,11 @@ public:
   bool run(const dealii::ParameterHandler& parameters, const fs::path& output) {
     ResultFolder folder(output);
     write_parameters(parameters, folder.path() / "used.prm");
-    comparison_ = {name_of(output),
-                   parameters_.title,
-                   describe_machine(),
-                   {},
-                   parameters_.x_axis,
-                   parameters_.y_axes,
-                   parameters_.x_axis == "time" || parameters_.x_axis == "solve time"};
+    comparison_ = {
+        name_of(output),    parameters_.title,
+        describe_machine(), {},
+        parameters_.x_axis, parameters_.x_label,
+        parameters_.y_axes, parameters_.x_axis == "time" || parameters_.x_axis == "solve time"};
     make_runs(folder.path());
     output::write_comparison(comparison_, folder.path());
     folder.commit();

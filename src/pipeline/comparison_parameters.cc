@@ -46,6 +46,9 @@ void ComparisonParameters::declare_parameters(ParameterHandler& prm) {
                     "name for the number at the start of the run's name. Over the time, the runs "
                     "that none beats in both are joined (Pareto front).",
                     Patterns::Selection("time|solve time|mean|p95|max|cells|ranks|memory|name"));
+  prm.add_parameter("X label", x_label,
+                    "What the picture writes below the x axis; empty: the name of its quantity.",
+                    Patterns::Anything());
   prm.add_parameter(
       "Y axes", y_axes, "Of the picture, a chart each: as the x axis.",
       Patterns::List(Patterns::Selection("time|solve time|mean|p95|max|cells|ranks|memory"), 1));

@@ -46,7 +46,7 @@ public:
         if (++n_rejected > max_rejections)
           break;
         // The state may have been on its way past where its forces hold it.
-        count(pair_.advance(parameters_.steps_per_update_), result);
+        count(pair_.advance(parameters_.time_per_update_), result);
         current = pair_.find_forces(variable_);
         continue;
       }
@@ -70,8 +70,8 @@ private:
   bool push(double weight, ImageForceResult& result) {
     try {
       pair_.add_forces(weight, parameters_.momentum_,
-                       parameters_.ramp_fraction_ * parameters_.steps_per_update_);
-      const auto unloaded = pair_.advance(parameters_.steps_per_update_);
+                       parameters_.ramp_fraction_ * parameters_.time_per_update_);
+      const auto unloaded = pair_.advance(parameters_.time_per_update_);
       count(unloaded, result);
       return std::min(unloaded[prone].min_jacobian, unloaded[supine].min_jacobian) >
                  parameters_.smallest_jacobian_ &&

@@ -67,11 +67,9 @@ bool BodyPair::has_gland(const mechanics::TissueMaterial& material) const {
   return dealii::Utilities::MPI::max(static_cast<int>(any), ranks_.world()) > 0;
 }
 
-std::array<UnloadingResult, 2> BodyPair::unload(unsigned n_steps) {
+std::array<UnloadingResult, 2> BodyPair::unload() {
   std::array<UnloadingResult, 2> results;
-  for_each([&](State which, BodyState& state) {
-    results[which] = n_steps == 0 ? state.unloading->run() : state.unloading->advance(n_steps);
-  });
+  for_each([&](State which, BodyState& state) { results[which] = state.unloading->run(); });
   return ranks_.share(results);
 }
 

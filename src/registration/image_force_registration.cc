@@ -61,11 +61,12 @@ void ImageForceRegistration::declare_parameters(ParameterHandler& prm) {
                     "the loaded image, or the paper's transformed one, F f with that of the "
                     "unloaded image.",
                     one_of(force_names));
-  prm.add_parameter("Steps per update", steps_per_update_,
-                    "accumulated: time steps of the simulation after each update. Units: none.",
-                    Patterns::Integer(1, 100000));
+  prm.add_parameter("Time per update", time_per_update_,
+                    "accumulated: time that is simulated after each update, times the damping rate "
+                    "r/rho. Units: none.",
+                    Patterns::Double(1e-3, 1e4));
   prm.add_parameter("Ramp fraction", ramp_fraction_,
-                    "accumulated: part of these steps over which a new force rises to its value, "
+                    "accumulated: part of this time over which a new force rises to its value, "
                     "s(t) of eq. 15. Units: none.",
                     Patterns::Double(0., 1.));
   prm.add_parameter(

@@ -37,6 +37,14 @@ std::array<UnloadingResult, 2> SimulatedBodies::unload(unsigned max_steps) {
   return pair_.unload();
 }
 
+std::array<UnloadingResult, 2> SimulatedBodies::advance(double duration) {
+  std::array<UnloadingResult, 2> results;
+  pair_.for_each([&](State which, BodyState& state) {
+    results[which] = state.unloading->advance(steps_within(duration, *state.unloading));
+  });
+  return pair_.ranks().share(results);
+}
+
 void SimulatedBodies::compare_on(double level, Compared compared) {
   comparison_.emplace(compared == Compared::images
                           ? setup_.of_images(pair_, scene_, level)
@@ -59,13 +67,13 @@ double SimulatedBodies::find_forces(similarity::Variable variable) {
   return result.value;
 }
 
-void SimulatedBodies::add_forces(double weight, double momentum, double n_ramp_steps) {
+void SimulatedBodies::add_forces(double weight, double momentum, double ramp) {
   pair_.for_each([&](State which, BodyState& state) {
     mechanics::NodeVector& increment = increments_[which];
     if (increment.size() == 0)
       state.body->initialize(increment);
     increment.sadd(momentum, weight, forces_[which]);
-    state.unloading->add_force(increment, n_ramp_steps * state.unloading->time_step());
+    state.unloading->add_force(increment, ramp / state.unloading->damping_rate());
   });
 }
 

@@ -125,8 +125,10 @@ std::array<UnloadingResult, 2> SimulatedGrids::unload(unsigned max_steps) {
   });
 }
 
-std::array<UnloadingResult, 2> SimulatedGrids::advance(unsigned n_steps) {
-  return run([&](fdm::FdmUnloading& unloading) { return unloading.advance(n_steps); });
+std::array<UnloadingResult, 2> SimulatedGrids::advance(double duration) {
+  return run([&](fdm::FdmUnloading& unloading) {
+    return unloading.advance(steps_within(duration, unloading));
+  });
 }
 
 void SimulatedGrids::save() {
@@ -176,14 +178,14 @@ double SimulatedGrids::find_forces(similarity::Variable variable) {
   return similarity_->forces(displaced().states, variable, forces_);
 }
 
-void SimulatedGrids::add_forces(double weight, double momentum, double n_ramp_steps) {
+void SimulatedGrids::add_forces(double weight, double momentum, double ramp) {
   for_each([&](State state) {
     fdm::VectorField& increment = increments_[state];
     if (increment.values.empty())
       increment = {forces_[state].grid, std::vector<Tensor<1, 3>>(forces_[state].values.size())};
     for (std::size_t i = 0; i < increment.values.size(); ++i)
       increment.values[i] = momentum * increment.values[i] + weight * forces_[state].values[i];
-    unloading_[state]->add_force(increment, n_ramp_steps * unloading_[state]->time_step());
+    unloading_[state]->add_force(increment, ramp / unloading_[state]->damping_rate());
   });
 }
 

@@ -10,8 +10,9 @@ namespace prosup::fdm {
 
 /// What surrounds the image.
 enum class Border {
-  padded, ///< what is at its border goes on and moves, up to that of the grid
-  fixed   ///< u = 0 on and beyond the faces of the image box that tissue touches
+  automatic, ///< padded where tissue is fixed to a chest, else fixed
+  padded,    ///< what is at its border goes on and moves, up to that of the grid
+  fixed      ///< u = 0 on and beyond the faces of the image box that tissue touches
 };
 const std::vector<std::string>& border_names();
 

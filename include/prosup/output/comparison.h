@@ -43,6 +43,7 @@ struct Comparison {
   std::vector<std::pair<std::string, std::string>> machine; ///< of what, and which
   std::vector<ComparisonRow> rows;
   std::string x_axis;              ///< name of a quantity
+  std::string x_label;             ///< empty: that of the quantity
   std::vector<std::string> y_axes; ///< a chart each
   bool has_front = false;          ///< rows that no other beats in both are joined
 };

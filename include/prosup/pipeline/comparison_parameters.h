@@ -31,6 +31,7 @@ public:
   double time_limit = 3600.; ///< s
   std::string launcher = "mpirun --oversubscribe --bind-to none";
   std::string x_axis = "time";
+  std::string x_label;
   std::vector<std::string> y_axes{"mean"};
   bool all_must_succeed = false;
 };

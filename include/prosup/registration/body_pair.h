@@ -77,8 +77,8 @@ public:
   bool has_gland(const mechanics::TissueMaterial& material) const;
   const MechanicalProperties& properties() const { return properties_; }
 
-  /// Runs both unloadings until settled, or for `n_steps` steps if not 0.
-  std::array<unloading::UnloadingResult, 2> unload(unsigned n_steps = 0);
+  /// Runs both unloadings until settled.
+  std::array<unloading::UnloadingResult, 2> unload();
 
   /// Both states with their own loaded images, for the similarity.
   std::array<similarity::LoadedState, 2> loaded_states() const;

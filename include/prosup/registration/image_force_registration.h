@@ -80,7 +80,7 @@ private:
   double least_gain_ = 0.02;
   // accumulated
   std::string force_;
-  unsigned steps_per_update_ = 150;
+  double time_per_update_ = 15.;
   double ramp_fraction_ = 0.5;
   double first_weight_ = 0.1;
   double momentum_ = 0.5;

@@ -22,9 +22,7 @@ public:
   }
 
   std::array<unloading::UnloadingResult, 2> unload(unsigned max_steps = 0) override;
-  std::array<unloading::UnloadingResult, 2> advance(unsigned n_steps) override {
-    return pair_.unload(n_steps);
-  }
+  std::array<unloading::UnloadingResult, 2> advance(double duration) override;
   void save() override { saved_ = pair_.save(); }
   void restore() override { pair_.restore(saved_); }
 
@@ -34,7 +32,7 @@ public:
   std::vector<float> residuals() const override;
 
   double find_forces(similarity::Variable variable) override;
-  void add_forces(double weight, double momentum, double n_ramp_steps) override;
+  void add_forces(double weight, double momentum, double ramp) override;
   void forget_momentum() override { increments_ = {}; }
 
 private:

@@ -50,7 +50,7 @@ public:
   void set_properties(const MechanicalProperties& properties) override;
 
   std::array<unloading::UnloadingResult, 2> unload(unsigned max_steps = 0) override;
-  std::array<unloading::UnloadingResult, 2> advance(unsigned n_steps) override;
+  std::array<unloading::UnloadingResult, 2> advance(double duration) override;
   void save() override;
   void restore() override;
 
@@ -60,7 +60,7 @@ public:
   std::vector<float> residuals() const override;
 
   double find_forces(similarity::Variable variable) override;
-  void add_forces(double weight, double momentum, double n_ramp_steps) override;
+  void add_forces(double weight, double momentum, double ramp) override;
   void forget_momentum() override { increments_ = {}; }
 
 private:

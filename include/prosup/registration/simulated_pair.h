@@ -1,7 +1,9 @@
 #ifndef PROSUP_REGISTRATION_SIMULATED_PAIR_H
 #define PROSUP_REGISTRATION_SIMULATED_PAIR_H
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -36,8 +38,8 @@ public:
 
   /// Runs both unloadings until settled, or at most `max_steps` steps if not 0.
   virtual std::array<unloading::UnloadingResult, 2> unload(unsigned max_steps = 0) = 0;
-  /// Runs `n_steps` steps of both.
-  virtual std::array<unloading::UnloadingResult, 2> advance(unsigned n_steps) = 0;
+  /// Simulates both for `duration` times their damping time, the inverse of r/rho.
+  virtual std::array<unloading::UnloadingResult, 2> advance(double duration) = 0;
 
   /// Keeps the present state in place of that kept before.
   virtual void save() = 0;
@@ -55,11 +57,18 @@ public:
   /// Finds the image forces of the present state, and returns the value.
   virtual double find_forces(similarity::Variable variable) = 0;
   /// Adds `weight` (Pa) times the forces found and `momentum` times what was added last;
-  /// they rise from 0 over `n_ramp_steps` time steps.
-  virtual void add_forces(double weight, double momentum, double n_ramp_steps) = 0;
+  /// they rise from 0 over `ramp` damping times.
+  virtual void add_forces(double weight, double momentum, double ramp) = 0;
   /// Forgets what was added last.
   virtual void forget_momentum() = 0;
 };
+
+/// The number of steps in which an unloading simulates `duration` damping times.
+template <typename Unloading>
+unsigned steps_within(double duration, const Unloading& unloading) {
+  const double n_steps = duration / (unloading.damping_rate() * unloading.time_step());
+  return static_cast<unsigned>(std::clamp(std::ceil(n_steps), 1., 1e6));
+}
 
 } // namespace prosup::registration
 

@@ -108,6 +108,8 @@ public:
   /// Largest distance of a node that slides from its surface, mm. Collective.
   double largest_gap() const { return supports_.largest_gap(unloaded(), displacement()); }
   double time_step() const { return integrator_.time_step(); }
+  /// r/rho, 1/s; without damping that of the first steps.
+  double damping_rate() const { return damping_.time_scale(); }
   const std::string& name() const { return name_; }
 
   State save() const { return state_with_velocity(); }
