@@ -106,23 +106,29 @@ void FdmUnloading::Simulation::retreat(const std::string& trouble, UnloadingResu
         name_.c_str(), result.n_steps, result.n_retries, trouble.c_str()));
   }
   ++result.n_retries;
-  strengthen();
+  // Most often it is the jump of stiffness at the skin that diverges.
+  const bool has_stiffer_air = stiffen_background();
+  if (!has_stiffer_air)
+    strengthen();
   caution_.gravity_ramp = std::max(2. * caution_.gravity_ramp, ramp_in_lags * caution_.lag_factor);
   caution_.step_safety *= 0.8;
-  // Short of the time step, what diverges is the jump of stiffness at the skin.
-  if (caution_.background_stiffness < stiffest_background) {
-    caution_.background_stiffness =
-        std::min(2. * caution_.background_stiffness, stiffest_background);
-    maps_.set_material(material_, caution_.background_stiffness);
-  }
   // A good state from which it diverged twice was none.
   restore(has_kept_ ? last_good_ : first_);
   last_good_ = first_;
   last_good_error_ = std::numeric_limits<double>::max();
   has_kept_ = false;
-  log_.line(format("  %s: %s after %u steps; goes on from a good state with stiffer air, a "
-                   "longer lag and smaller steps.",
-                   name_.c_str(), trouble.c_str(), result.n_steps));
+  log_.line(format("  %s: %s after %u steps; goes on from a good state with smaller steps and %s.",
+                   name_.c_str(), trouble.c_str(), result.n_steps,
+                   has_stiffer_air ? "stiffer air" : "a longer lag"));
+}
+
+bool FdmUnloading::Simulation::stiffen_background() {
+  double& stiffness = caution_.background_stiffness;
+  if (stiffness >= stiffest_background)
+    return false;
+  stiffness = std::min(2. * stiffness, stiffest_background);
+  maps_.set_material(material_, stiffness);
+  return true;
 }
 
 void FdmUnloading::Simulation::strengthen() {

@@ -73,6 +73,7 @@ private:
   void update_time_step();
   std::string trouble(const Report& report) const;
   void retreat(const std::string& trouble, UnloadingResult& result);
+  bool stiffen_background(); ///< false if it is stiff enough already
   void strengthen();
   State save() const;
   void restore(const State& state);
