@@ -9,9 +9,10 @@ namespace {
 
 constexpr unsigned leaf_size = 4;
 
-/// A point on a triangle, by the weights of corners 1 and 2.
+/// A point on a triangle. Weights are exactly 0 where it lies on an edge or corner.
 struct Candidate {
-  double w1, w2, squared_distance;
+  std::array<double, 3> weights;
+  double squared_distance;
 };
 
 /// Position of p along the edge `e` as part of its length, for e . p and e . e.
@@ -22,18 +23,19 @@ double along(double e_dot_p, double e_dot_e) {
 /// The closest point of the triangle (0, e1, e2) to r.
 Candidate closest_to(const Tensor<1, 3>& r, const Tensor<1, 3>& e1, const Tensor<1, 3>& e2) {
   const double e11 = e1 * e1, e12 = e1 * e2, e22 = e2 * e2, r1 = e1 * r, r2 = e2 * r;
-  const auto at = [&](double w1, double w2) {
-    return Candidate{w1, w2, (r - w1 * e1 - w2 * e2).norm_square()};
+  const auto at = [&](double w0, double w1, double w2) {
+    return Candidate{{w0, w1, w2}, (r - w1 * e1 - w2 * e2).norm_square()};
   };
   const double squared_area = e11 * e22 - e12 * e12;
   if (squared_area > 1e-20 * e11 * e22) {
     const double w1 = (e22 * r1 - e12 * r2) / squared_area,
                  w2 = (e11 * r2 - e12 * r1) / squared_area;
     if (w1 >= 0. && w2 >= 0. && w1 + w2 <= 1.)
-      return at(w1, w2);
+      return at(1. - w1 - w2, w1, w2);
   }
-  const double t = along(r2 - r1 - e12 + e11, e11 - 2. * e12 + e22);
-  return std::min({at(along(r1, e11), 0.), at(0., along(r2, e22)), at(1. - t, t)},
+  const double t1 = along(r1, e11), t2 = along(r2, e22),
+               t12 = along(r2 - r1 - e12 + e11, e11 - 2. * e12 + e22);
+  return std::min({at(1. - t1, t1, 0.), at(1. - t2, 0., t2), at(0., 1. - t12, t12)},
                   [](const Candidate& a, const Candidate& b) {
                     return a.squared_distance < b.squared_distance;
                   });
@@ -139,8 +141,8 @@ SurfaceLocator::Hit SurfaceLocator::closest(const Point<3>& p, std::size_t guess
     waiting[n_waiting++] = near;
   }
   const Triangle& t = triangles_[best];
-  const std::array<double, 3> weights = {1. - closest.w1 - closest.w2, closest.w1, closest.w2};
-  return {t.face, weights, weight_gradients(weights, t.e1, t.e2), closest.squared_distance};
+  return {t.face, closest.weights, weight_gradients(closest.weights, t.e1, t.e2),
+          closest.squared_distance};
 }
 
 } // namespace prosup::evaluation
