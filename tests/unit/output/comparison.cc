@@ -22,7 +22,7 @@ ComparisonRow row(const std::string& group, const std::string& name, double seco
 }
 
 Comparison comparison() {
-  Comparison result{"study", "a & b", {{"cores", "2"}}, {}, "time", {"mean"}, true};
+  Comparison result{"study", "a & b", {{"cores", "2"}}, {}, "time", "", {"mean"}, true};
   result.rows = {row("FE", "10", 1., 2.), row("FE", "5", 10., 0.5), row("other", "x", 20., 1.)};
   ComparisonRow failed;
   failed.group = "other";
@@ -67,6 +67,18 @@ TEST(Comparison, PictureHasASignPerRunAndTheFrontOfTheBest) {
   const std::size_t begin = picture.find("points=\"", front) + 8;
   const std::string points = picture.substr(begin, picture.find('"', begin) - begin);
   EXPECT_EQ(count(points, ","), 2u) << "the third run is slower and worse: " << points;
+}
+
+TEST(Comparison, PictureNamesTheQuantityOfTheXAxisOrWhatIsAskedFor) {
+  Comparison named = comparison();
+  const testing::TemporaryFolder folder;
+  write_comparison(named, folder / "");
+  EXPECT_NE(testing::contents(folder / "study.svg").find(">wall time, s<"), std::string::npos);
+  named.x_label = "edge length, mm";
+  write_comparison(named, folder / "");
+  const std::string picture = testing::contents(folder / "study.svg");
+  EXPECT_NE(picture.find(">edge length, mm<"), std::string::npos);
+  EXPECT_EQ(picture.find(">wall time, s<"), std::string::npos);
 }
 
 TEST(Comparison, RefusesWhatIsNotFinite) {
