@@ -51,9 +51,11 @@ void FdmParameters::declare_parameters(ParameterHandler& prm) {
       "faces of the image that tissue touches. automatic: padded where tissue is fixed to a "
       "chest, and fixed where it slides or there is none. Units: none.",
       one_of(border_names()));
-  prm.add_parameter("Background stiffness", background_stiffness,
-                    "Stiffness of air over that of the softest tissue. Units: none.",
-                    Patterns::Double(1e-4, 1.));
+  prm.add_parameter(
+      "Background stiffness", background_stiffness,
+      "Stiffness of air over that of the softest tissue; rises to 0.1 in a simulation "
+      "that diverges. Units: none.",
+      Patterns::Double(1e-4, 1.));
   prm.add_parameter("Map spacing", map_spacing,
                     "Spacing of the grid on which the material of the loaded image is kept, over "
                     "that of the simulation grid. Units: none.",
@@ -104,7 +106,8 @@ void FdmParameters::declare_parameters(ParameterHandler& prm) {
                     Patterns::Integer(1, 100000000));
   prm.add_parameter("Maximum retries", max_retries,
                     "How often a simulation that diverges goes back to a good state and continues "
-                    "with a smaller step, a slower ramp and a longer lag. Units: none.",
+                    "with stiffer air or a longer lag, a smaller step and a slower ramp. Units: "
+                    "none.",
                     Patterns::Integer(0, 100));
 }
 

@@ -60,7 +60,7 @@ public:
   void hold_reference();
 
   /// Simulates until settled to the tolerances. Where it diverges it goes back to a
-  /// good state and continues with a longer lag, a smaller step and a slower ramp.
+  /// good state and continues with stiffer air or a longer lag, a smaller step and a slower ramp.
   /// @throws DivergenceError when all retries are used up; the last good state is
   /// restored first.
   UnloadingResult run();
