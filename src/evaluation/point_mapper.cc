@@ -147,17 +147,21 @@ Point<3> PointMapper::inverse_outside(const Point<3>& loaded, const Point<3>& gu
   Point<3> best = guess, unloaded = guess;
   double least = std::numeric_limits<double>::max();
   for (unsigned i = 0; i < max_iterations && least > inverse_tolerance; ++i) {
-    const auto inside = unloaded_->map_inside(unloaded, *loaded_);
-    const auto beside = unloaded_->map_outside(unloaded, *loaded_, face);
-    face = beside.face;
-    const Tensor<1, 3> missing = loaded - inside.value_or(beside.position);
+    Tensor<2, 3> gradient = dealii::unit_symmetric_tensor<3>(); // in the mesh a plain step will do
+    std::optional<Point<3>> mapped = unloaded_->map_inside(unloaded, *loaded_);
+    if (!mapped) {
+      const Configuration::Outside beside = unloaded_->map_outside(unloaded, *loaded_, face);
+      mapped = beside.position;
+      face = beside.face;
+      gradient = beside.gradient;
+    }
+    const Tensor<1, 3> missing = loaded - *mapped;
     const bool falls = missing.norm() < least;
     if (falls) {
       least = missing.norm();
       best = unloaded;
     }
-    const bool newton = falls && !inside && dealii::determinant(beside.gradient) > 0.1;
-    unloaded += newton ? dealii::invert(beside.gradient) * missing : missing;
+    unloaded += falls && determinant(gradient) > 0.1 ? invert(gradient) * missing : missing;
   }
   return best;
 }

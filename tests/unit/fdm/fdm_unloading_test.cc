@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "expect_error.h"
 #include "voxel_box.h"
@@ -69,6 +70,56 @@ TEST(FdmUnloading, BoxComesBackThroughVoxels) {
   EXPECT_GT(result.moves, 1.5);
   EXPECT_LT(result.max_error, 1.2);
   EXPECT_LT(result.p95_error, 0.2);
+}
+
+/// A layer of tissue that goes on to the faces of the image.
+image::LabelImage wide_layer() {
+  const VoxelBox box{2., 24., 12., 8.};
+  image::LabelImage labels = box.labels();
+  for (std::size_t k = 0; k < labels.grid.size[2]; ++k)
+    for (std::size_t j = 0; j < labels.grid.size[1]; ++j)
+      for (std::size_t i = 0; i < labels.grid.size[0]; ++i)
+        if (labels(i, j, k) == 0 &&
+            labels.grid.physical(double(i), double(j), double(k))[1] > -box.depth)
+          labels(i, j, k) = 2;
+  return labels;
+}
+
+/// u at the face of the image after a while.
+Tensor<1, 3> motion_at_the_border(const std::string& border, fdm::ChestContact contact) {
+  fdm::FdmParameters parameters;
+  parameters.spacing = 4.;
+  parameters.padding = 12.;
+  parameters.border = border;
+  fdm::FdmUnloading simulation(parameters, wide_layer(), 1, material(200., 300.), down,
+                               {contact, 0.}, MPI_COMM_WORLD);
+  simulation.advance(50);
+  return simulation.displacement().value(Point<3>(19., -6., 0.));
+}
+
+TEST(FdmUnloading, BorderIsPaddedWhereTheChestHoldsTheTissue) {
+  for (const auto contact : {fdm::ChestContact::fixed, fdm::ChestContact::sliding}) {
+    const bool holds = contact == fdm::ChestContact::fixed;
+    const Tensor<1, 3> automatic = motion_at_the_border("automatic", contact);
+    const double to_padded = (automatic - motion_at_the_border("padded", contact)).norm(),
+                 to_fixed = (automatic - motion_at_the_border("fixed", contact)).norm();
+    EXPECT_EQ(holds ? to_padded : to_fixed, 0.);
+    EXPECT_GT(holds ? to_fixed : to_padded, 1e-3);
+  }
+}
+
+TEST(FdmUnloading, GoesBackWhenItDivergesAndSettles) {
+  fdm::FdmParameters parameters;
+  parameters.spacing = 1.;
+  parameters.padding = 2.;
+  parameters.background_stiffness = 0.002;
+  const double mu = 500. / 2.9;
+  const VoxelBox box{0.5, 15., 15., 6.};
+  fdm::FdmUnloading simulation(parameters, box.labels(), 1, material(mu, 9. * mu), down, {},
+                               MPI_COMM_WORLD);
+  const fdm::UnloadingResult result = simulation.run();
+  EXPECT_TRUE(result.converged) << result.explanation;
+  EXPECT_GE(result.n_retries, 1u);
 }
 
 TEST(FdmUnloading, MeshHoldsTheTissueAndItsVolume) {
