@@ -34,7 +34,8 @@ public:
   explicit MeshSource(const std::string& labels_file) : labels_(image::read_labels(labels_file)) {}
 
   mesh::TetMesh mesh(double edge_length) const {
-    mesh::MaskMesher mesher;
+    const Labels label_values;
+    mesh::MaskMesher mesher(label_values);
     dealii::ParameterHandler parameters;
     read_parameters(parameters, {}, {"Meshing/Edge length=" + std::to_string(edge_length)});
     return mesher.run(labels_);

@@ -76,7 +76,8 @@ std::vector<double> same_mesh_errors(const BoxExperiment& box, unsigned n) {
 
 mesh::UnloadedMesh unload_mask(const BoxExperiment& box, const image::LabelImage& mask,
                                double edge_length) {
-  mesh::MaskMesher mesher;
+  const Labels label_values;
+  mesh::MaskMesher mesher(label_values);
   mesher.edge_length = edge_length;
   mesh::UnloadedMesh result;
   result.mesh = mesher.run(mask);

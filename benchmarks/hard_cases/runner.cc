@@ -26,7 +26,8 @@ constexpr double largest_difference = 0.1; // of the parts of the weight that ca
 constexpr double voxel = 2.;               // mm
 
 mesh::TetMesh make_mesh(const Case& hard_case, Size size) {
-  mesh::MaskMesher mesher;
+  const Labels label_values;
+  mesh::MaskMesher mesher(label_values);
   mesher.edge_length = size == Size::small ? hard_case.small_edge : hard_case.full_edge;
   mesh::TetMesh mesh = mesher.run(hard_case.shape.image(voxel, hard_case.axes));
   for (unsigned i = 0; i < hard_case.n_refinements; ++i)

@@ -64,7 +64,7 @@ std::vector<Point<3>> points_in(const LabelImage& mask, std::size_t n_wanted) {
   }
   if (n < n_points_needed)
     throw Error("The chest walls cannot be aligned by intensities because there is hardly any "
-                "chest wall in a label image; check the labels and 'Meshing/Chest label', or set "
+                "chest wall in a label image; check the labels and 'Labels/Chest', or set "
                 "'Pre-alignment/Method' to none.");
   return points;
 }

@@ -44,8 +44,8 @@ const std::vector<std::string>& material_names() {
   return names;
 }
 
-TissueMaterial::TissueMaterial()
-    : ParameterAcceptor("Material"), model_(material_names().front()) {}
+TissueMaterial::TissueMaterial(const Labels& labels)
+    : ParameterAcceptor("Material"), model_(material_names().front()), labels_(labels) {}
 
 void TissueMaterial::declare_parameters(ParameterHandler& prm) {
   prm.add_parameter("Model", model_,
@@ -61,44 +61,41 @@ void TissueMaterial::declare_parameters(ParameterHandler& prm) {
       "nu, Poisson's ratio of all tissues; lambda = 2 mu nu / (1 - 2 nu). Units: none. "
       "The default is the paper's generic material. Linear tetrahedra lock towards 0.5.",
       Patterns::Double(0., 0.4999));
-  prm.add_parameter("Stiffness factors", stiffness_factors_,
-                    "Factor on the shear modulus for each tissue label, as 'label: factor'. "
+  prm.add_parameter("Stiffness ratios", stiffness_ratios_,
+                    "Shear modulus of each tissue over 'Shear modulus', as 'label: ratio'. "
                     "Units: none.",
-                    Patterns::Map(Patterns::Integer(0, 255), Patterns::Double(1e-6, 1e6)));
-  prm.add_parameter("Gland label", gland_label_,
-                    "Label of the tissue whose ratio to the others the material update may find. "
-                    "Units: none.",
-                    Patterns::Integer(0, 255));
+                    Patterns::Map(Patterns::Integer(1, 255), Patterns::Double(1e-6, 1e6)));
 }
 
 bool TissueMaterial::has_gland(const std::vector<unsigned>& tissue_labels) const {
-  return std::find(tissue_labels.begin(), tissue_labels.end(), gland_label_) != tissue_labels.end();
+  return std::find(tissue_labels.begin(), tissue_labels.end(), labels_.gland) !=
+         tissue_labels.end();
 }
 
 std::vector<LameParameters>
 TissueMaterial::parameters_of(const std::vector<unsigned>& tissue_labels,
                               const TissueStiffness& stiffness) const {
-  std::map<unsigned, double> factors = stiffness_factors_;
-  if (const auto gland = factors.find(gland_label_); gland != factors.end())
+  std::map<unsigned, double> ratios = stiffness_ratios_;
+  if (const auto gland = ratios.find(labels_.gland); gland != ratios.end())
     gland->second *= stiffness.gland_ratio;
   const bool one_material = [&] {
-    for (const auto& [label, factor] : factors)
-      if (factor != factors.begin()->second)
+    for (const auto& [label, ratio] : ratios)
+      if (ratio != ratios.begin()->second)
         return false;
     return true;
   }();
-  const auto lame = [&](double factor) {
-    return lame_parameters(stiffness.shear_modulus * factor, stiffness.poisson_ratio);
+  const auto lame = [&](double ratio) {
+    return lame_parameters(stiffness.shear_modulus * ratio, stiffness.poisson_ratio);
   };
   if (one_material)
-    return {lame(factors.empty() ? 1. : factors.begin()->second)};
+    return {lame(ratios.empty() ? 1. : ratios.begin()->second)};
   std::vector<LameParameters> parameters;
   parameters.reserve(tissue_labels.size());
   for (const unsigned label : tissue_labels) {
-    const auto found = factors.find(label);
-    if (found == factors.end())
-      throw Error(format("Tissue label %u has no entry in 'Material/Stiffness factors'; add "
-                         "'%u: factor' there.",
+    const auto found = ratios.find(label);
+    if (found == ratios.end())
+      throw Error(format("Tissue label %u has no entry in 'Material/Stiffness ratios'; add "
+                         "'%u: ratio' there.",
                          label, label));
     parameters.push_back(lame(found->second));
   }

@@ -62,7 +62,7 @@ image::LabelImage breast_mask(const image::LabelImage& labels,
   const image::LabelImage tissue = image::select_labels(labels, tissue_labels);
   if (std::find(tissue.values.begin(), tissue.values.end(), 1) == tissue.values.end())
     throw Error("The label image has no voxel of the tissue labels " + joined(tissue_labels) +
-                "; give the labels it uses in \"Meshing/Tissue labels\".");
+                "; give the labels it uses in 'Labels/Tissues'.");
   return image::fill_holes(image::largest_component(tissue));
 }
 
@@ -137,20 +137,12 @@ void to_physical(TetMesh& mesh, const image::VoxelGrid& grid) {
 
 } // namespace
 
-MaskMesher::MaskMesher() : ParameterAcceptor("Meshing") {}
+MaskMesher::MaskMesher(const Labels& labels) : ParameterAcceptor("Meshing"), labels_(labels) {}
 
 void MaskMesher::declare_parameters(ParameterHandler& prm) {
   prm.add_parameter("Edge length", edge_length,
                     "h, wanted edge length of the tetrahedra. Units: mm.",
                     Patterns::Double(0.1, 100.));
-  prm.add_parameter("Tissue labels", tissue_labels,
-                    "Labels of the tissues that are meshed: fat and gland. Units: none.",
-                    Patterns::List(Patterns::Integer(1, 255), 1, 255));
-  prm.add_parameter(
-      "Chest label", chest_label,
-      "Label of chest wall and muscle: where tissue borders on it the boundary is the "
-      "chest wall. Units: none.",
-      Patterns::Integer(0, 255));
   prm.add_parameter("Smoothing", smoothing,
                     "sigma/s, standard deviation of the Gaussian that smooths the distance to the "
                     "mask, over the cube root s of the volume of a voxel; one removes the stairs "
@@ -159,12 +151,13 @@ void MaskMesher::declare_parameters(ParameterHandler& prm) {
 }
 
 TetMesh MaskMesher::run(const image::LabelImage& labels) const {
+  labels_.check();
   const image::LabelImage upright = in_grid_frame(labels);
-  const LevelSet phi(breast_mask(upright, tissue_labels),
+  const LevelSet phi(breast_mask(upright, labels_.tissues),
                      smoothing * std::cbrt(labels.grid.voxel_volume()));
   TetMesh mesh = mesh_with_patience(phi, edge_length);
-  mesh.tissue = sample_tissue(mesh, upright, tissue_labels);
-  mesh.boundary_faces = find_boundary(mesh, upright, tissue_labels, chest_label);
+  mesh.tissue = sample_tissue(mesh, upright, labels_.tissues);
+  mesh.boundary_faces = find_boundary(mesh, upright, labels_.tissues, labels_.chest);
   to_physical(mesh, labels.grid);
   return mesh;
 }

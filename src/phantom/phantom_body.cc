@@ -38,10 +38,12 @@ mesh::TetMesh make_mesh(const PhantomParameters& parameters, const Anatomy& anat
     for (std::size_t j = 0; j < size[1]; ++j)
       for (std::size_t i = 0; i < size[0]; ++i)
         labels(i, j, k) = anatomy.label(labels.grid.physical(double(i), double(j), double(k)));
-  mesh::MaskMesher mesher;
+  Labels meaning;
+  meaning.chest = chest;
+  meaning.tissues = {fat, gland};
+  meaning.gland = gland;
+  mesh::MaskMesher mesher(meaning);
   mesher.edge_length = parameters.edge_length;
-  mesher.tissue_labels = {fat, gland};
-  mesher.chest_label = chest;
   return mesher.run(labels);
 }
 
@@ -84,8 +86,8 @@ void PhantomBody::put_on_surfaces() {
 std::vector<mechanics::LameParameters> PhantomBody::material() const {
   std::vector<mechanics::LameParameters> material;
   for (const unsigned tissue : body_->material_ids()) {
-    const double factor = tissue == gland ? parameters_.gland_factor : 1.;
-    material.push_back(mechanics::lame_parameters(factor * parameters_.fat_shear_modulus,
+    const double ratio = tissue == gland ? parameters_.gland_ratio : 1.;
+    material.push_back(mechanics::lame_parameters(ratio * parameters_.fat_shear_modulus,
                                                   parameters_.poisson_ratio));
   }
   return material;

@@ -52,7 +52,7 @@ void PhantomParameters::declare_shape(ParameterHandler& prm) {
 void PhantomParameters::declare_mechanics(ParameterHandler& prm) {
   prm.add_parameter("Fat shear modulus", fat_shear_modulus,
                     "mu of fat in the truth, neo-Hookean. Units: Pa.", Patterns::Double(1., 1e6));
-  prm.add_parameter("Gland factor", gland_factor,
+  prm.add_parameter("Gland ratio", gland_ratio,
                     "Shear modulus of gland over that of fat; 1 for one material (paper). "
                     "Units: none.",
                     Patterns::Double(0.05, 100.));

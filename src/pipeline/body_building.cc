@@ -47,7 +47,7 @@ MeshPair build_bodies(const Stages& stages, Inputs& inputs, BodyPair& pair, cons
     state.body = make_body(stages, meshes[which], group);
     state.supports =
         stages.supports.make(stages.scene.chest(), *state.body, inputs.scene.labels[which],
-                             inputs.scene.labels[1 - which], stages.mesher.chest_label);
+                             inputs.scene.labels[1 - which], stages.labels.chest);
     const Tensor<1, 3>& gravity = stages.scene.gravity[which];
     state.unloading = std::make_unique<unloading::Unloading>(
         stages.unloading, *state.supports,

@@ -54,7 +54,7 @@ ComparisonRuns::ComparisonRuns(const Stages& stages, const fs::path& folder)
     yardstick_.landmarks = evaluation::read_landmarks(scene.landmarks);
   if (parameters_.is_registration())
     yardstick_.breast =
-        image::select_labels(image::read_labels(scene.labels[0]), stages.mesher.tissue_labels);
+        image::select_labels(image::read_labels(scene.labels[0]), stages.labels.tissues);
   fs::create_directory(folder_ / "logs");
 }
 

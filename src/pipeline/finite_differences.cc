@@ -18,7 +18,7 @@ mesh::UnloadedMesh mesh_of_grid(const Stages& stages, const fdm::VectorField& di
                                 const image::LabelImage& labels) {
   std::set<unsigned> tissues(labels.values.begin(), labels.values.end());
   tissues.erase(0);
-  tissues.erase(stages.mesher.chest_label);
+  tissues.erase(stages.labels.chest);
   fdm::BreastMesh breast = fdm::breast_mesh(displacement, labels, {tissues.begin(), tissues.end()});
   mesh::UnloadedMesh result;
   result.mesh.points = std::move(breast.loaded);

@@ -53,8 +53,7 @@ void Inputs::align_supine(const image::RigidTransform& to_prone) {
     *grid = to_prone(*grid);
 }
 
-InputReader::InputReader(const mesh::MaskMesher& mesher)
-    : ParameterAcceptor("Images"), mesher_(mesher) {}
+InputReader::InputReader(const Labels& labels) : ParameterAcceptor("Images"), labels_(labels) {}
 
 void InputReader::declare_parameters(ParameterHandler& prm) {
   prm.add_parameter(
@@ -89,11 +88,10 @@ LabelImage InputReader::checked_labels(const CaseParameters& parameters, unsigne
     throw Error("The label image '" + file +
                 "' is empty: all its voxels are 0; it has to mark the "
                 "chest wall, fat and gland.");
-  image::require_label(labels, mesher_.chest_label, "the chest wall ('Meshing/Chest label')", file);
-  const LabelImage tissue = image::select_labels(labels, mesher_.tissue_labels);
+  image::require_label(labels, labels_.chest, "the chest wall ('Labels/Chest')", file);
+  const LabelImage tissue = image::select_labels(labels, labels_.tissues);
   if (std::none_of(tissue.values.begin(), tissue.values.end(), [](auto v) { return v != 0; }))
-    image::require_label(labels, mesher_.tissue_labels.front(),
-                         "breast tissue ('Meshing/Tissue labels')", file);
+    image::require_label(labels, labels_.tissues.front(), "breast tissue ('Labels/Tissues')", file);
   return labels;
 }
 
@@ -109,7 +107,7 @@ OriginalImage InputReader::read_original(const CaseParameters& parameters, unsig
   const std::string& file = parameters.images[state];
   ScalarImage image = placed(image::read_image(file), parameters, state);
   image::check_labels_fit(image, labels, file, parameters.labels[state]);
-  return {std::move(image), image::select_labels(labels, mesher_.tissue_labels)};
+  return {std::move(image), image::select_labels(labels, labels_.tissues)};
 }
 
 std::optional<OriginalImage> InputReader::read_image(const CaseParameters& parameters,
@@ -154,17 +152,16 @@ void InputReader::prepare(const CaseParameters& parameters, unsigned state, Inpu
 void InputReader::convert_contrast(Inputs& inputs) const {
   if (contrast_ == contrast::as_given)
     return;
-  if (mesher_.tissue_labels.size() != 2)
+  if (labels_.tissues.size() != 2 || labels_.gland == 0)
     throw Error("'Images/Contrast = " + contrast_ +
-                "' needs two 'Meshing/Tissue labels', fat and gland; give both, or choose "
-                "'Similarity/Metric = nmi' or 'lncc', which need none.");
+                "' needs the labels of fat and of gland, two 'Labels/Tissues' and 'Labels/Gland'; "
+                "give them, or choose 'Similarity/Metric = nmi' or 'lncc', which need none.");
   std::array<image::TissueIntensities, 2> tissue;
   for (unsigned s = 0; s < 2; ++s) {
     const auto median = [&](unsigned label) {
       return image::median_intensity(inputs.images[s], inputs.scene.labels[s], label);
     };
-    tissue[s] = {inputs.scene.air[s], median(mesher_.tissue_labels[0]),
-                 median(mesher_.tissue_labels[1])};
+    tissue[s] = {inputs.scene.air[s], median(labels_.fat()), median(labels_.gland)};
   }
   const unsigned changed = contrast_ == contrast::prone_as_supine ? 0 : 1;
   inputs.images[changed] = image::convert_contrast(
@@ -174,7 +171,8 @@ void InputReader::convert_contrast(Inputs& inputs) const {
 
 Inputs InputReader::read_pair(const CaseParameters& parameters, MPI_Comm communicator) const {
   Inputs inputs;
-  inputs.scene.chest_label = mesher_.chest_label;
+  inputs.scene.chest_label = labels_.chest;
+  inputs.scene.gland_label = labels_.gland;
   on_root(communicator, [&] {
     parameters.require_pair();
     for (unsigned state = 0; state < 2; ++state)

@@ -20,7 +20,7 @@ Json mechanics_of(const phantom::PhantomParameters& phantom) {
   json["material"] = {
       {"model", "neo-Hookean: W = mu/2 (tr C - 3) - mu ln J + lambda/2 (ln J)^2"},
       {"mu_fat_Pa", phantom.fat_shear_modulus},
-      {"mu_gland_Pa", phantom.gland_factor * phantom.fat_shear_modulus},
+      {"mu_gland_Pa", phantom.gland_ratio * phantom.fat_shear_modulus},
       {"nu", phantom.poisson_ratio},
       {"lambda_fat_Pa",
        mechanics::lame_parameters(phantom.fat_shear_modulus, phantom.poisson_ratio).lambda}};

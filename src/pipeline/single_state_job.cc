@@ -90,7 +90,7 @@ std::unique_ptr<mechanics::Supports> SingleStateJob::make_supports(const mechani
   if (stages_.supports.need_labels(chest))
     image::broadcast(labels_, world_);
   image::broadcast(other_labels_, world_);
-  return stages_.supports.make(chest, body, labels_, other_labels_, stages_.mesher.chest_label);
+  return stages_.supports.make(chest, body, labels_, other_labels_, stages_.labels.chest);
 }
 
 /// By damped motion.

@@ -44,7 +44,7 @@ private:
 
   mesh::UnloadedMesh simulate(mesh::TetMesh) override {
     image::broadcast(labels_, world_);
-    const unsigned chest_label = stages_.mesher.chest_label;
+    const unsigned chest_label = stages_.labels.chest;
     fdm::Material material = registration::grid_material(
         stages_.material, stages_.material.initial(), labels_, chest_label);
     material.density = stages_.unloading.density;

@@ -64,7 +64,7 @@ Comparison SimilaritySetup::of_images(const BodyPair& pair, const similarity::Sc
 }
 
 Comparison SimilaritySetup::of_tissues(const BodyPair& pair, const similarity::Scene& scene,
-                                       unsigned gland_label, double level) const {
+                                       double level) const {
   Comparison result{"ssd of tissues",
                     similarity::ImageForce(similarity::make_metric("ssd"), world_),
                     domain(pair, scene, level),
@@ -72,7 +72,7 @@ Comparison SimilaritySetup::of_tissues(const BodyPair& pair, const similarity::S
   result.domain.air = {0.f, 0.f};
   for (const State state : {similarity::prone, similarity::supine})
     if (pair.ranks().holds(state))
-      result.images[state] = smoothed(tissue_image(scene.labels[state], gland_label), level);
+      result.images[state] = smoothed(tissue_image(scene.labels[state], scene.gland_label), level);
   return result;
 }
 

@@ -46,9 +46,8 @@ std::array<UnloadingResult, 2> SimulatedBodies::advance(double duration) {
 }
 
 void SimulatedBodies::compare_on(double level, Compared compared) {
-  comparison_.emplace(compared == Compared::images
-                          ? setup_.of_images(pair_, scene_, level)
-                          : setup_.of_tissues(pair_, scene_, material_.gland_label(), level));
+  comparison_.emplace(compared == Compared::images ? setup_.of_images(pair_, scene_, level)
+                                                   : setup_.of_tissues(pair_, scene_, level));
 }
 
 double SimulatedBodies::value() const {

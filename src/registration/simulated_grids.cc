@@ -153,10 +153,9 @@ void SimulatedGrids::compare_on(double level, Compared compared) {
   metric_ = by_images ? setup_.similarity.metric : "ssd of tissues";
   for (const State state : both)
     if (ranks_.holds(state))
-      compared_images_[state] =
-          smoothed(by_images ? images_[state]
-                             : tissue_image(scene_.labels[state], setup_.material.gland_label()),
-                   level);
+      compared_images_[state] = smoothed(
+          by_images ? images_[state] : tissue_image(scene_.labels[state], scene_.gland_label),
+          level);
   const Displaced present = displaced();
   similarity_ = std::make_unique<GridSimilarity>(
       ranks_, scene_,

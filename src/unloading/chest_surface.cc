@@ -48,7 +48,7 @@ LabelImage chest_mask(const LabelImage& labels, unsigned chest_label, const Poin
 ScalarImage smooth_distance(const LabelImage& mask, double sigma_voxels) {
   if (std::find(mask.values.begin(), mask.values.end(), 1) == mask.values.end())
     throw Error("There is no chest wall behind the breast for it to slide on; check the labels and "
-                "'Meshing/Chest label', or hold the tissue with 'Case/Chest' = fixed.");
+                "'Labels/Chest', or hold the tissue with 'Case/Chest' = fixed.");
   return image::gaussian_smooth(image::extended(image::signed_distance(mask), n_layers),
                                 sigma_voxels * std::cbrt(mask.grid.voxel_volume()));
 }

@@ -42,7 +42,7 @@ Unloading::Unloading(const UnloadingParameters& parameters, mechanics::Supports&
   if (!supports.hold_anything())
     throw Error("Nothing holds " + name_ +
                 ": its mesh has neither a chest wall nor cut planes, or both are set free; check "
-                "the labels, 'Meshing/Chest label' and 'Supports/Cut planes'.");
+                "the labels, 'Labels/Chest' and 'Supports/Cut planes'.");
   for (NodeVector* vector : {&state_.unloaded, &state_.displacement, &state_.velocity,
                              &state_.force, &state_.force_increment, &external_force_})
     body_.initialize(*vector);

@@ -82,10 +82,10 @@ TEST_F(Input, EmptyMask) {
 }
 
 TEST_F(Input, LabelThatIsNotThere) {
-  expect_refused(registering({"--set", "Meshing/Chest label=9"}),
+  expect_refused(registering({"--set", "Labels/Chest=9"}),
                  {"prone_labels.nii.gz", "no voxel of label 9", "chest", "0, 1, 2, 3"});
-  expect_refused(registering({"--set", "Meshing/Tissue labels=7"}),
-                 {"prone_labels.nii.gz", "no voxel of label 7", "Tissue labels", "0, 1, 2, 3"});
+  expect_refused(registering({"--set", "Labels/Tissues=7", "--set", "Labels/Gland=0"}),
+                 {"prone_labels.nii.gz", "no voxel of label 7", "Labels/Tissues", "0, 1, 2, 3"});
 }
 
 TEST_F(Input, MaskWithHardlyABreast) {

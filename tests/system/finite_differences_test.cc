@@ -40,7 +40,7 @@ TEST(FiniteDifferences, UnloadFindsTheTruth) {
   const ProgramRun run =
       run_prosup({"unload", PROSUP_PRM_FOLDER "/tests/small.prm", "--method", "fdm", "--output",
                   folder / "result", "--set", "Material/Shear modulus=150", "--set",
-                  "Material/Poisson ratio=0.45", "--set", "Material/Stiffness factors=2:1, 3:3"},
+                  "Material/Poisson ratio=0.45", "--set", "Material/Stiffness ratios=2:1, 3:3"},
                  1);
   ASSERT_EQ(run.exit_code, 0) << run.transcript();
   const Json summary = read_json(folder / "result" / "summary.json");

@@ -144,7 +144,7 @@ TEST(Load, UndoesUnload) {
 // With the material and the springs that it was made with, tissue that slides on the
 // chest is unloaded to the truth, by either solver; held fixed it is not.
 TEST_F(PhantomCommand, TissueThatSlidesIsUnloadedToTheTruth) {
-  const auto phantom = make("phantom", {"Phantom/Chest=sliding", "Phantom/Gland factor=1",
+  const auto phantom = make("phantom", {"Phantom/Chest=sliding", "Phantom/Gland ratio=1",
                                         "Phantom/Fascia stiffness=4", "Phantom/Voxel edge=2"});
   const auto error = [&](const std::string& chest, const std::string& state,
                          const std::string& solver) {

@@ -30,7 +30,8 @@ const mesh::TetMesh& breast() {
   static const mesh::TetMesh mesh = [] {
     mesh::TetMesh result;
     on_root(MPI_COMM_WORLD, [&] {
-      mesh::MaskMesher mesher;
+      const Labels label_values;
+      mesh::MaskMesher mesher(label_values);
       mesher.edge_length = 14.;
       result = mesher.run(labels("prone_labels.nii.gz"));
     });

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "prosup/core/labels.h"
+
 namespace prosup::mechanics {
 
 /// Lame parameters of a hyperelastic material, Pa.
@@ -36,22 +38,23 @@ const std::vector<std::string>& material_names();
 
 /// What is not known of the tissues and may be found from images.
 struct TissueStiffness {
-  double shear_modulus = 357.1; ///< mu of a tissue whose factor is 1, Pa
+  double shear_modulus = 357.1; ///< mu of a tissue whose stiffness ratio is 1, Pa
   double poisson_ratio = 0.4;   ///< nu, of all tissues
-  double gland_ratio = 1.;      ///< on top of the factor of gland
+  double gland_ratio = 1.;      ///< multiplies the stiffness ratio of gland
 };
 
 /// The material of the tissues of a body: a stiffness common to all, which
-/// the material update changes, and a factor for each tissue label.
+/// the material update changes, and a ratio for each tissue label.
 class TissueMaterial : public dealii::ParameterAcceptor {
 public:
-  TissueMaterial();
+  /// Keeps a reference to `labels`.
+  explicit TissueMaterial(const Labels& labels);
+  explicit TissueMaterial(Labels&&) = delete;
   void declare_parameters(dealii::ParameterHandler& prm) override;
 
   /// The stiffness to start with.
   const TissueStiffness& initial() const { return initial_; }
-  unsigned gland_label() const { return gland_label_; }
-  /// Whether any of the labels is gland.
+  /// Whether one of the tissues is gland.
   bool has_gland(const std::vector<unsigned>& tissue_labels) const;
 
   /// Lame parameters for each entry of `tissue_labels`; a single entry if all tissues
@@ -62,8 +65,8 @@ public:
 private:
   std::string model_;
   TissueStiffness initial_;
-  unsigned gland_label_ = 3;
-  std::map<unsigned, double> stiffness_factors_{{2, 1.}, {3, 1.}};
+  const Labels& labels_;
+  std::map<unsigned, double> stiffness_ratios_{{2, 1.}, {3, 1.}};
 };
 
 } // namespace prosup::mechanics

@@ -3,8 +3,7 @@
 
 #include <deal.II/base/parameter_acceptor.h>
 
-#include <vector>
-
+#include "prosup/core/labels.h"
 #include "prosup/image/voxel_image.h"
 #include "prosup/mesh/tet_mesh.h"
 
@@ -17,7 +16,9 @@ namespace prosup::mesh {
 /// ends exactly in the outer faces of the voxels. Needs no MPI; for one rank.
 class MaskMesher : public dealii::ParameterAcceptor {
 public:
-  MaskMesher();
+  /// Keeps a reference to `labels`.
+  explicit MaskMesher(const Labels& labels);
+  explicit MaskMesher(Labels&&) = delete;
   void declare_parameters(dealii::ParameterHandler& prm) override;
 
   /// The mesh in physical space (LPS, mm). The same labels and parameters give
@@ -27,10 +28,11 @@ public:
   /// small for the edge length, or if gmsh fails.
   TetMesh run(const image::LabelImage& labels) const;
 
-  double edge_length = 6.5;                  ///< mm
-  std::vector<unsigned> tissue_labels{2, 3}; ///< what is meshed
-  unsigned chest_label = 1;
-  double smoothing = 1.; ///< standard deviation, in cube roots of the volume of a voxel
+  double edge_length = 6.5; ///< mm
+  double smoothing = 1.;    ///< standard deviation, in cube roots of the volume of a voxel
+
+private:
+  const Labels& labels_;
 };
 
 } // namespace prosup::mesh

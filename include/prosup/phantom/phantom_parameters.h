@@ -33,7 +33,7 @@ public:
   unsigned n_landmarks = 500;
 
   double fat_shear_modulus = 325.; ///< Pa
-  double gland_factor = 1.;
+  double gland_ratio = 1.;
   double poisson_ratio = 0.45;
   double edge_length = 10.;       ///< of the mesh, mm
   double contact_stiffness = 1e4; ///< normal to a sliding chest, Pa/mm

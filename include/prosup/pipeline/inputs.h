@@ -8,9 +8,9 @@
 #include <optional>
 #include <string>
 
+#include "prosup/core/labels.h"
 #include "prosup/image/rigid_transform.h"
 #include "prosup/image/voxel_image.h"
-#include "prosup/mesh/mask_mesher.h"
 #include "prosup/pipeline/case_parameters.h"
 #include "prosup/similarity/domain.h"
 
@@ -37,8 +37,9 @@ struct Inputs {
 /// Reads and prepares images and label images, section "Images".
 class InputReader : public dealii::ParameterAcceptor {
 public:
-  /// The mesher knows what the labels mean.
-  explicit InputReader(const mesh::MaskMesher& mesher);
+  /// Keeps a reference to `labels`.
+  explicit InputReader(const Labels& labels);
+  explicit InputReader(Labels&&) = delete;
   void declare_parameters(dealii::ParameterHandler& prm) override;
 
   /// Both pairs; the same on all ranks. @throws Error for files that are
@@ -65,7 +66,7 @@ private:
   double voxel_edge_ = 1.;
   double low_percentile_ = 1., high_percentile_ = 99.;
   std::string contrast_ = "as given";
-  const mesh::MaskMesher& mesher_;
+  const Labels& labels_;
 };
 
 } // namespace prosup::pipeline

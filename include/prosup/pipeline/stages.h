@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "prosup/core/labels.h"
 #include "prosup/fdm/fdm_parameters.h"
 #include "prosup/mechanics/element.h"
 #include "prosup/mechanics/material.h"
@@ -29,11 +30,12 @@ namespace prosup::pipeline {
 /// them all, so that one parameter file serves every command.
 struct Stages {
   CaseParameters scene;
-  mesh::MaskMesher mesher;
-  InputReader inputs{mesher};
+  Labels labels;
+  mesh::MaskMesher mesher{labels};
+  InputReader inputs{labels};
   registration::PreAlignment pre_alignment;
   mechanics::ElementParameters elements;
-  mechanics::TissueMaterial material;
+  mechanics::TissueMaterial material{labels};
   unloading::SupportParameters supports;
   unloading::UnloadingParameters unloading;
   mechanics::QuasiStaticParameters quasi_static;

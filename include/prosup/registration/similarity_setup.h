@@ -70,8 +70,7 @@ public:
   /// The tissues as labelled, air 0, fat 1/2 and gland 1, and the sum of squared differences:
   /// what all images have in common, whatever their contrast, and smooth however far
   /// apart the bodies are.
-  Comparison of_tissues(const BodyPair& pair, const similarity::Scene& scene, unsigned gland_label,
-                        double level) const;
+  Comparison of_tissues(const BodyPair& pair, const similarity::Scene& scene, double level) const;
 
 private:
   MPI_Comm world_;

@@ -21,6 +21,7 @@ struct Scene {
   std::array<image::LabelImage, 2> excluded; ///< not 0 where there is no force; may be empty
   std::array<float, 2> air{0.f, 0.f};        ///< intensity of air in the scaled images
   unsigned chest_label = 1;
+  unsigned gland_label = 3;
 };
 
 /// The domain on `grid`: voxels in the chest of either label image, or beyond

@@ -52,14 +52,15 @@ TEST(NeoHookean, InvertedDeformationIsAnError) {
   EXPECT_THROW(first_piola_kirchhoff_stress(F, {1., 1.}), prosup::DivergenceError);
 }
 
-TEST(TissueMaterial, OneMaterialGivesOneEntryAndFactorsGiveOneEach) {
-  TissueMaterial material;
+TEST(TissueMaterial, OneMaterialGivesOneEntryAndRatiosGiveOneEach) {
+  const prosup::Labels labels;
+  TissueMaterial material(labels);
   EXPECT_EQ(material.parameters_of({2, 3, 2}, {100., 0.4, 1.}).size(), 1u);
 
   dealii::ParameterHandler prm;
   dealii::ParameterAcceptor::declare_all_parameters(prm);
   prm.enter_subsection("Material");
-  prm.set("Stiffness factors", "2: 1, 3: 3");
+  prm.set("Stiffness ratios", "2: 1, 3: 3");
   prm.leave_subsection();
   dealii::ParameterAcceptor::parse_all_parameters(prm);
   const auto parameters = material.parameters_of({2, 3, 2}, {100., 0.4, 1.});

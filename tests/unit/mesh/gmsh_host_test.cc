@@ -18,7 +18,8 @@ TEST(GmshHost, KeepsItsModelAndOptions) {
   gmsh::model::geo::addPoint(1., 2., 3., 0., 42);
   gmsh::model::geo::synchronize();
 
-  MaskMesher mesher;
+  const Labels label_values;
+  MaskMesher mesher(label_values);
   mesher.edge_length = 8.;
   EXPECT_GT(mesher.run(ball_labels(centred_cube(30), 12.)).cells.size(), 0u);
 

@@ -30,7 +30,8 @@ class MaskMesherGrids : public ::testing::TestWithParam<double> {};
 TEST_P(MaskMesherGrids, ThickObliqueSlicesMeshInPhysicalSpace) {
   constexpr double radius = 24., plane = 8.;
   const auto grid = centred_grid({64, 64, 22}, Tensor<1, 3>({1., 1., 3.}), oblique(GetParam()));
-  MaskMesher mesher;
+  const Labels label_values;
+  MaskMesher mesher(label_values);
   mesher.edge_length = 7.;
   const TetMesh mesh = mesher.run(make_labels(grid, [](const Point<3>& x) {
     return x.norm() > radius ? 0u : x[1] > plane ? 1u : 2u;
@@ -62,7 +63,8 @@ TEST(MaskMesherMapping, MovesWithItsGrid) {
   auto moved = at_origin;
   moved.grid.direction = oblique(1.);
   moved.grid.origin = Point<3>(100., -20., 7.);
-  MaskMesher mesher;
+  const Labels label_values;
+  MaskMesher mesher(label_values);
   mesher.edge_length = 7.;
   const TetMesh a = mesher.run(at_origin), b = mesher.run(moved);
   ASSERT_EQ(a.points.size(), b.points.size());
@@ -73,15 +75,20 @@ TEST(MaskMesherMapping, MovesWithItsGrid) {
 }
 
 TEST(MaskMesherErrors, SayWhatIsMissing) {
-  MaskMesher mesher;
+  Labels label_values;
+  MaskMesher mesher(label_values);
   const image::LabelImage empty(centred_cube(10), 1);
-  testing::expect_error([&] { mesher.run(empty); }, {"2, 3", "Tissue labels"});
-  mesher.tissue_labels = {7};
-  testing::expect_error([&] { mesher.run(ball_labels(centred_cube(20), 8.)); }, {"7"});
+  testing::expect_error([&] { mesher.run(empty); }, {"2, 3", "Labels/Tissues"});
+  label_values.tissues = {7};
+  const auto ball = ball_labels(centred_cube(20), 8.);
+  testing::expect_error([&] { mesher.run(ball); }, {"Labels/Gland", "3"});
+  label_values.gland = 0;
+  testing::expect_error([&] { mesher.run(ball); }, {"7"});
 }
 
 TEST(MaskMesherErrors, BreastMustNotBeSmallerThanAnEdge) {
-  MaskMesher mesher;
+  const Labels label_values;
+  MaskMesher mesher(label_values);
   mesher.edge_length = 20.;
   testing::expect_error([&] { mesher.run(ball_labels(centred_cube(20), 5.)); },
                         {"20 mm", "smaller \"Meshing/Edge length\""});

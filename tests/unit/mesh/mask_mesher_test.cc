@@ -12,7 +12,8 @@ namespace prosup::mesh {
 namespace {
 
 TetMesh mesh_of(const image::LabelImage& labels, double edge_length) {
-  MaskMesher mesher;
+  const Labels label_values;
+  MaskMesher mesher(label_values);
   mesher.edge_length = edge_length;
   return mesher.run(labels);
 }

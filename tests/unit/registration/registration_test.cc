@@ -35,7 +35,8 @@ float texture(const Point<3>& X) {
 /// with one body of each set up on the ranks of a split.
 struct Scene {
   tests::HangingBoxParameters parameters;
-  mechanics::TissueMaterial material;
+  const Labels labels;
+  mechanics::TissueMaterial material{labels};
   SimilarityParameters similarity_parameters;
   RankSplit ranks{MPI_COMM_WORLD};
   BodyPair pair{ranks};

@@ -1,0 +1,47 @@
+#include "prosup/core/labels.h"
+
+#include <gtest/gtest.h>
+
+#include "expect_error.h"
+#include "prosup/core/parameters.h"
+
+namespace prosup {
+namespace {
+
+/// The labels that overrides from the command line give.
+void read(const std::vector<Override>& overrides) {
+  const Labels labels;
+  dealii::ParameterHandler parameters;
+  read_parameters(parameters, {}, overrides);
+}
+
+TEST(Labels, AreReadFromTheirSection) {
+  const Labels labels;
+  EXPECT_EQ(labels.fat(), 2u);
+  dealii::ParameterHandler parameters;
+  read_parameters(parameters, {}, {"Labels/Chest=9", "Labels/Tissues=4, 6, 5", "Labels/Gland=4"});
+  EXPECT_EQ(labels.chest, 9u);
+  EXPECT_EQ(labels.tissues, (std::vector<unsigned>{4, 6, 5}));
+  EXPECT_EQ(labels.gland, 4u);
+  EXPECT_EQ(labels.fat(), 6u);
+}
+
+TEST(Labels, NeedNoGland) {
+  EXPECT_NO_THROW(read({"Labels/Tissues=7", "Labels/Gland=0"}));
+}
+
+TEST(Labels, ThatMakeNoSenseAreErrors) {
+  testing::expect_error([] { read({"Labels/Chest=2"}); }, {"label 2", "Labels/Tissues"});
+  testing::expect_error([] { read({"Labels/Tissues=2, 3, 2"}); }, {"label 2", "once"});
+  testing::expect_error([] { read({"Labels/Chest=0"}); }, {"Labels/Chest", "0 is air"});
+  testing::expect_error([] { read({"Labels/Tissues=0, 3"}); }, {"Labels/Tissues", "0 is air"});
+  testing::expect_error([] { read({"Labels/Gland=4"}); }, {"Labels/Gland", "4"});
+  Labels labels;
+  labels.tissues = {labels.gland};
+  testing::expect_error([&] { labels.fat(); }, {"Labels/Tissues", "fat"});
+  labels.tissues = {};
+  testing::expect_error([&] { labels.check(); }, {"Labels/Tissues", "empty"});
+}
+
+} // namespace
+} // namespace prosup
