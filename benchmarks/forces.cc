@@ -5,7 +5,7 @@
 #include <chrono>
 #include <memory>
 
-#include "prosup/mechanics/central_differences.h"
+#include "prosup/mechanics/explicit/central_differences.h"
 #include "setup.h"
 
 using namespace dealii;

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "prosup/core/error.h"
-#include "prosup/mechanics/quasi_static.h"
+#include "prosup/mechanics/static/quasi_static.h"
 #include "prosup/unloading/unloading.h"
 #include "setup.h"
 

@@ -2,7 +2,7 @@
 # Only these files may reorder floating point: elsewhere NaN checks must hold. The
 # vectors of GCC do not leave these files, so their ABI is no concern.
 set(kernel_options -O3 -ffast-math -Wno-psabi)
-foreach(kernel mechanics/element_kernel fdm/stencil_kernel)
+foreach(kernel mechanics/element/element_kernel fdm/stencil_kernel)
   set_source_files_properties(src/${kernel}_baseline.cc PROPERTIES
     COMPILE_OPTIONS "${kernel_options}" SKIP_PRECOMPILE_HEADERS ON)
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "prosup/core/units.h"
-#include "prosup/mechanics/material.h"
-#include "prosup/mechanics/quasi_static.h"
+#include "prosup/mechanics/laws/material.h"
+#include "prosup/mechanics/static/quasi_static.h"
 #include "prosup/mesh/tet_mesh.h"
 
 namespace prosup::benchmarks {

@@ -6,7 +6,7 @@
 #include <regex>
 
 #include "prosup/core/error.h"
-#include "prosup/mechanics/quasi_static.h"
+#include "prosup/mechanics/static/quasi_static.h"
 #include "prosup/mesh/distributed.h"
 #include "prosup/mesh/mask_mesher.h"
 #include "prosup/mesh/refine.h"

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "prosup/mechanics/quasi_static.h"
+#include "prosup/mechanics/static/quasi_static.h"
 
 namespace prosup::benchmarks {
 

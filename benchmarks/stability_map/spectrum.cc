@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "prosup/core/units.h"
-#include "prosup/mechanics/central_differences.h"
+#include "prosup/mechanics/explicit/central_differences.h"
 
 namespace prosup::benchmarks {
 

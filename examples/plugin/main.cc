@@ -8,7 +8,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/parameter_handler.h>
 #include <prosup/core/error.h>
-#include <prosup/mechanics/material.h>
+#include <prosup/mechanics/laws/material.h>
 #include <prosup/similarity/domain.h>
 #include <prosup/similarity/image_force.h>
 #include <prosup/unloading/unloading.h>

@@ -5,7 +5,7 @@
 #include <deal.II/distributed/fully_distributed_tria.h>
 #include <deal.II/grid/tria.h>
 #include <prosup/image/voxel_image.h>
-#include <prosup/mechanics/body.h>
+#include <prosup/mechanics/body/body.h>
 
 #include <memory>
 

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "prosup/core/collective.h"
-#include "prosup/mechanics/supports.h"
+#include "prosup/mechanics/body/supports.h"
 #include "prosup/mesh/deformation.h"
 #include "prosup/mesh/distributed.h"
 #include "prosup/mesh/mask_mesher.h"

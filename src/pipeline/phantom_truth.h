@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "prosup/evaluation/target_registration_error.h"
-#include "prosup/mechanics/quasi_static.h"
+#include "prosup/mechanics/static/quasi_static.h"
 #include "prosup/pipeline/stages.h"
 
 namespace prosup::pipeline {

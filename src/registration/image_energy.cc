@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "prosup/mechanics/cell_edges.h"
+#include "prosup/mechanics/body/cell_edges.h"
 
 namespace prosup::registration {
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "prosup/mechanics/elastic_metric.h"
+#include "prosup/mechanics/static/elastic_metric.h"
 #include "prosup/registration/body_pair.h"
 #include "prosup/registration/similarity_setup.h"
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "prosup/image/sampling.h"
-#include "prosup/mechanics/cell_edges.h"
+#include "prosup/mechanics/body/cell_edges.h"
 #include "prosup/similarity/voxel_map.h"
 
 namespace prosup::similarity {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <unordered_map>
 
-#include "prosup/mechanics/cell_edges.h"
+#include "prosup/mechanics/body/cell_edges.h"
 #include "prosup/mesh/scan_conversion.h"
 
 namespace prosup::similarity {

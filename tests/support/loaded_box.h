@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "box.h"
-#include "prosup/mechanics/material.h"
+#include "prosup/mechanics/laws/material.h"
 #include "prosup/unloading/unloading.h"
 
 namespace prosup::tests {

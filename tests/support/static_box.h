@@ -2,7 +2,7 @@
 #define PROSUP_TESTS_STATIC_BOX_H
 
 #include "box.h"
-#include "prosup/mechanics/quasi_static.h"
+#include "prosup/mechanics/static/quasi_static.h"
 
 namespace prosup::tests {
 

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <vector>
 
-#include "prosup/mechanics/body.h"
-#include "prosup/mechanics/material.h"
+#include "prosup/mechanics/body/body.h"
+#include "prosup/mechanics/laws/material.h"
 
 namespace prosup::tests {
 

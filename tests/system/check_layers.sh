@@ -1,25 +1,31 @@
 #!/usr/bin/env bash
-# check_layers.sh FOLDER "MODULE: USED..."...
+# check_layers.sh FOLDER "MODULE: USED..."... "MODULE/WING: USED..."...
 # Fails when a file of a module under FOLDER (include/prosup/MODULE, src/MODULE)
 # includes a header of a module that is not among those its module uses,
 # directly or through others, or when a public header shows a library that the
-# modules hide from programs outside.
+# modules hide from programs outside. The same holds between the wings
+# (subfolders) of a module, if they are named.
 set -euo pipefail
 
 folder=$1
 shift
-declare -A uses
+declare -A uses wing_uses
 for arrow in "$@"; do
-  uses[${arrow%%:*}]=${arrow#*:}
+  if [[ ${arrow%%:*} == */* ]]; then
+    wing_uses[${arrow%%:*}]=${arrow#*:}
+  else
+    uses[${arrow%%:*}]=${arrow#*:}
+  fi
 done
 ((${#uses[@]})) || { echo "No modules are given." >&2; exit 1; }
 
-# A module and all it uses, each as " name ".
+# reachable ARROWS NAME: a module or wing and all it uses, each as " name ".
 reachable() {
+  local -n arrows=$1
   local used
-  printf ' %s ' "$1"
-  for used in ${uses[$1]}; do
-    reachable "$used"
+  printf ' %s ' "$2"
+  for used in ${arrows[$2]}; do
+    reachable "$1" "$used"
   done
 }
 
@@ -49,7 +55,7 @@ for path in include/prosup/*/ src/*/; do
 done
 
 for module in "${!uses[@]}"; do
-  allowed=$(reachable "$module")
+  allowed=$(reachable uses "$module")
   while IFS=: read -r file line; do
     n_includes=$((n_includes + 1))
     if [[ $line == *..* ]]; then
@@ -61,6 +67,18 @@ for module in "${!uses[@]}"; do
     [[ $allowed == *" $other "* ]] ||
       complain "$file: module $module may not include module $other, which it does not use."
   done < <(includes 'prosup/|\.\./' "include/prosup/$module" "src/$module")
+done
+
+for wing in "${!wing_uses[@]}"; do
+  module=${wing%/*}
+  allowed=$(reachable wing_uses "$wing")
+  while IFS=: read -r file line; do
+    other=${line#*[<\"]}
+    other=${other#prosup/}
+    other=${other%/*}
+    [[ $allowed == *" $other "* ]] ||
+      complain "$file: wing $wing may not include wing $other, which it does not use."
+  done < <(includes "(prosup/)?$module/" "include/prosup/$wing" "src/$wing")
 done
 
 while IFS=: read -r file line; do

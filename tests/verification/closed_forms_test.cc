@@ -5,7 +5,7 @@
 
 #include "box.h"
 #include "figures.h"
-#include "prosup/mechanics/internal_force.h"
+#include "prosup/mechanics/element/internal_force.h"
 
 using namespace dealii;
 using namespace prosup;

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "prosup/core/log.h"
-#include "prosup/mechanics/element.h"
+#include "prosup/mechanics/body/element.h"
 
 namespace prosup::tests {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "box.h"
-#include "prosup/mechanics/central_differences.h"
+#include "prosup/mechanics/explicit/central_differences.h"
 
 namespace prosup::tests {
 

@@ -6,7 +6,7 @@
 #include "loaded_box.h"
 #include "prosup/core/collective.h"
 #include "prosup/image/image_io.h"
-#include "prosup/mechanics/quasi_static.h"
+#include "prosup/mechanics/static/quasi_static.h"
 #include "prosup/mesh/distributed.h"
 #include "prosup/mesh/mask_mesher.h"
 #include "prosup/unloading/support_parameters.h"

@@ -1,7 +1,7 @@
 #ifndef PROSUP_PHANTOM_CHEST_CYLINDER_H
 #define PROSUP_PHANTOM_CHEST_CYLINDER_H
 
-#include "prosup/mechanics/surface.h"
+#include "prosup/mechanics/body/surface.h"
 #include "prosup/phantom/geometry.h"
 
 namespace prosup::phantom {

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "prosup/mechanics/quasi_static.h"
+#include "prosup/mechanics/static/quasi_static.h"
 #include "prosup/mesh/tet_mesh.h"
 #include "prosup/phantom/anatomy.h"
 #include "prosup/phantom/phantom_parameters.h"

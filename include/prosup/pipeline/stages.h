@@ -7,9 +7,9 @@
 
 #include "prosup/core/labels.h"
 #include "prosup/fdm/fdm_parameters.h"
-#include "prosup/mechanics/element.h"
-#include "prosup/mechanics/material.h"
-#include "prosup/mechanics/quasi_static.h"
+#include "prosup/mechanics/body/element.h"
+#include "prosup/mechanics/laws/material.h"
+#include "prosup/mechanics/static/quasi_static.h"
 #include "prosup/mesh/mask_mesher.h"
 #include "prosup/phantom/phantom_parameters.h"
 #include "prosup/pipeline/case_parameters.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "prosup/image/voxel_image.h"
-#include "prosup/mechanics/material.h"
+#include "prosup/mechanics/laws/material.h"
 #include "prosup/registration/simulated_pair.h"
 #include "prosup/similarity/image_force.h"
 #include "prosup/unloading/unloading.h"

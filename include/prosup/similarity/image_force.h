@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "prosup/image/voxel_image.h"
-#include "prosup/mechanics/body.h"
-#include "prosup/mechanics/elastic_metric.h"
+#include "prosup/mechanics/body/body.h"
+#include "prosup/mechanics/static/elastic_metric.h"
 #include "prosup/similarity/metric.h"
 
 namespace prosup::similarity {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "prosup/image/voxel_image.h"
-#include "prosup/mechanics/body.h"
+#include "prosup/mechanics/body/body.h"
 
 namespace prosup::similarity {
 

@@ -3,7 +3,7 @@
 
 #include "prosup/image/sampling.h"
 #include "prosup/image/voxel_image.h"
-#include "prosup/mechanics/surface.h"
+#include "prosup/mechanics/body/surface.h"
 
 namespace prosup::unloading {
 

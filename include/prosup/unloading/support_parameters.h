@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "prosup/image/voxel_image.h"
-#include "prosup/mechanics/supports.h"
+#include "prosup/mechanics/body/supports.h"
 
 namespace prosup::unloading {
 

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "prosup/core/log.h"
-#include "prosup/mechanics/body.h"
-#include "prosup/mechanics/central_differences.h"
-#include "prosup/mechanics/damping.h"
-#include "prosup/mechanics/internal_force.h"
-#include "prosup/mechanics/supports.h"
+#include "prosup/mechanics/body/body.h"
+#include "prosup/mechanics/body/supports.h"
+#include "prosup/mechanics/element/internal_force.h"
+#include "prosup/mechanics/explicit/central_differences.h"
+#include "prosup/mechanics/explicit/damping.h"
 #include "prosup/unloading/unloading_parameters.h"
 
 namespace prosup::unloading {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "prosup/core/units.h"
-#include "prosup/mechanics/damping.h"
+#include "prosup/mechanics/explicit/damping.h"
 
 namespace prosup::unloading {
 

@@ -1,4 +1,4 @@
-#include "../../../src/evaluation/surface_locator.h"
+#include "evaluation/surface_locator.h"
 
 #include <gtest/gtest.h>
 #include <vtkNew.h>

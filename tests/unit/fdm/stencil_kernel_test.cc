@@ -1,4 +1,4 @@
-#include "../../../src/fdm/stencil_kernel.h"
+#include "fdm/stencil_kernel.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "prosup/mechanics/central_differences.h"
+#include "prosup/mechanics/explicit/central_differences.h"
 
 #include <deal.II/base/mpi.h>
 #include <gtest/gtest.h>

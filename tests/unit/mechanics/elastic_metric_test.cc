@@ -1,4 +1,4 @@
-#include "prosup/mechanics/elastic_metric.h"
+#include "prosup/mechanics/static/elastic_metric.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "../../../src/mechanics/element_tangent.h"
+#include "mechanics/element/element_tangent.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "box.h"
-#include "prosup/mechanics/internal_force.h"
+#include "prosup/mechanics/element/internal_force.h"
 #include "strain_energy.h"
 
 using namespace dealii;

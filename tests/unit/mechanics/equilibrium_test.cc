@@ -1,4 +1,4 @@
-#include "../../../src/mechanics/equilibrium.h"
+#include "mechanics/static/equilibrium.h"
 
 #include <deal.II/base/mpi.h>
 #include <gtest/gtest.h>

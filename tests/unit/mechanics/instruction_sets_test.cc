@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "../../../src/mechanics/element_kernel.h"
+#include "mechanics/element/element_kernel.h"
 
 using namespace prosup::mechanics::kernel;
 

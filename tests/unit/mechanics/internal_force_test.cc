@@ -1,4 +1,4 @@
-#include "prosup/mechanics/internal_force.h"
+#include "prosup/mechanics/element/internal_force.h"
 
 #include <deal.II/base/mpi.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "prosup/mechanics/material.h"
+#include "prosup/mechanics/laws/material.h"
 
 #include <gtest/gtest.h>
 

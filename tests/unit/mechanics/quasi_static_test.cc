@@ -1,4 +1,4 @@
-#include "prosup/mechanics/quasi_static.h"
+#include "prosup/mechanics/static/quasi_static.h"
 
 #include <deal.II/base/mpi.h>
 #include <gtest/gtest.h>

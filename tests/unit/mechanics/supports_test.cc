@@ -1,4 +1,4 @@
-#include "prosup/mechanics/supports.h"
+#include "prosup/mechanics/body/supports.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 
 #include "box.h"
 #include "prosup/image/voxel_image.h"
-#include "prosup/mechanics/body.h"
+#include "prosup/mechanics/body/body.h"
 #include "prosup/similarity/image_force.h"
 
 namespace prosup::tests {

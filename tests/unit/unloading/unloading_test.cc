@@ -7,7 +7,7 @@
 
 #include "loaded_box.h"
 #include "prosup/core/error.h"
-#include "prosup/mechanics/material.h"
+#include "prosup/mechanics/laws/material.h"
 
 using namespace dealii;
 using namespace prosup;

@@ -1,0 +1,62 @@
+#ifndef PROSUP_MECHANICS_ELASTIC_METRIC_H
+#define PROSUP_MECHANICS_ELASTIC_METRIC_H
+
+#include <deal.II/base/symmetric_tensor.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "prosup/mechanics/body/body.h"
+#include "prosup/mechanics/body/supports.h"
+#include "prosup/mechanics/laws/material.h"
+
+namespace prosup::mechanics {
+
+/// A symmetric stiffness of one of Body::cells() of the form that voxels give,
+/// sum_v N_a(X_v) N_b(X_v) S_v: one symmetric block for each pair a <= b of its
+/// corners, in the order 00, 01, 02, 03, 11, 12, 13, 22, 23, 33.
+using CellStiffness = std::array<dealii::SymmetricTensor<2, 3>, 10>;
+
+/// The linear elastic stiffness K of a body at a configuration X and of the
+/// springs of its supports, for displacements that the supports of X allow: the
+/// metric d^T K d in which one configuration is near another. Linear tetrahedra
+/// on Body::cells(). Other stiffness can be added to that of the elements. All
+/// functions are collective on the communicator of the body; vectors are those
+/// of owned nodes.
+class ElasticMetric {
+public:
+  /// `material` as InternalForce::set_material, Pa; `unloaded` is X with ghosts, mm,
+  /// on the surfaces of the supports (Supports::put_on_surfaces).
+  ElasticMetric(const Supports& supports, const std::vector<LameParameters>& material,
+                const NodeVector& unloaded);
+
+  /// K v, without rows that the supports hold, g mm/s^2.
+  void multiply(const NodeVector& v, NodeVector& result) const;
+
+  /// Solves (K + factor H) d = f in the space of allowed displacements, H having
+  /// the given stiffness of each cell of this rank, by conjugate gradients until the
+  /// residual has fallen to `tolerance` of |f|. Returns their number.
+  unsigned solve(const std::vector<CellStiffness>& added, double factor, const NodeVector& force,
+                 double tolerance, NodeVector& displacement) const;
+
+private:
+  using Block = dealii::Tensor<2, 3>;
+  class Operator;
+
+  void list_couplings();
+  void add_elements(const std::vector<LameParameters>& material, const NodeVector& unloaded);
+  void multiply(const std::vector<Block>& blocks, const NodeVector& v, NodeVector& result) const;
+  std::vector<Block> inverse_diagonal(const std::vector<Block>& blocks) const;
+
+  const Supports& supports_;
+  const Body& body_;
+  // Rows of all local nodes, as far as the cells of this rank fill them.
+  std::vector<std::uint32_t> row_begin_, column_;
+  std::vector<std::array<std::uint32_t, 16>> slots_; // of each cell's blocks, row by row
+  std::vector<Block> blocks_;
+};
+
+} // namespace prosup::mechanics
+
+#endif

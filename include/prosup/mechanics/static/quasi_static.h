@@ -1,0 +1,96 @@
+#ifndef PROSUP_MECHANICS_QUASI_STATIC_H
+#define PROSUP_MECHANICS_QUASI_STATIC_H
+
+#include <deal.II/base/parameter_acceptor.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "prosup/core/log.h"
+#include "prosup/mechanics/body/body.h"
+#include "prosup/mechanics/body/nodal_force.h"
+#include "prosup/mechanics/laws/material.h"
+
+namespace prosup::mechanics {
+
+/// The linear algebra that can be chosen by name: petsc-direct (SNES, MUMPS),
+/// petsc-gamg (SNES, CG or GMRES with GAMG), trilinos-direct (Amesos),
+/// trilinos-amg (ML). Both multigrids know the rigid body modes.
+const std::vector<std::string>& linear_algebra_names();
+
+/// Parameters of the Newton solver, section "Quasi-static".
+class QuasiStaticParameters : public dealii::ParameterAcceptor {
+public:
+  QuasiStaticParameters();
+  void declare_parameters(dealii::ParameterHandler& prm) override;
+
+  std::string linear_algebra;   ///< of linear_algebra_names()
+  double tolerance = 1e-8;      ///< residual over norm of the external force
+  unsigned max_iterations = 30; ///< Newton steps in one load step
+  unsigned load_steps = 1;      ///< first number of load steps; halved steps where one fails
+  unsigned max_halvings = 8;
+};
+
+/// How a quasi-static solution went.
+struct QuasiStaticResult {
+  bool converged = false;
+  unsigned n_load_steps = 0;
+  unsigned n_newton_steps = 0;
+  unsigned n_linear_iterations = 0;
+  double residual = 0.;     ///< relative
+  double min_jacobian = 0.; ///< smallest J = det dx/dX over all quadrature points
+};
+
+/// Newton's method with consistent tangent on the discrete forces of
+/// InternalForce: equilibrium of a body under a body force (constant per
+/// reference volume, rho g) and, where given, nodal forces. Collective on the
+/// communicator of the body.
+class QuasiStatic {
+public:
+  QuasiStatic(const QuasiStaticParameters& parameters, const Body& body, const Log& log = Log());
+  ~QuasiStatic();
+
+  /// As InternalForce::set_material.
+  void set_material(const std::vector<LameParameters>& parameters);
+  /// Local nodes that keep their position in load() and unload().
+  void set_fixed_nodes(const std::vector<bool>& fixed);
+  /// rho g, g/(mm^2 s^2).
+  void set_body_force(const dealii::Tensor<1, 3>& force_density) { body_force_ = force_density; }
+  /// Constant nodal forces (owned nodes, g mm/s^2), besides the body force.
+  void set_external_force(const NodeVector& force);
+  /// Has to live as long as this object; null for none.
+  void set_nodal_force(const NodalForce* force) { nodal_force_ = force; }
+
+  /// Forward: for unloaded positions X finds u with
+  ///   internal(X -> X + u) = external.
+  /// `displacement` (ghosts out) is where it starts; at fixed nodes it keeps
+  /// its values, which need not be zero.
+  /// @throws DivergenceError with a diagnosis if no load step is small enough.
+  QuasiStaticResult load(const NodeVector& unloaded, NodeVector& displacement);
+
+  /// Inverse: for loaded positions x finds X with internal(X -> x) = external,
+  /// the weight being that of X (Govindjee and Mihalic 1996).
+  /// `unloaded` (ghosts out) is where it starts. @throws as load().
+  QuasiStaticResult unload(const NodeVector& loaded, NodeVector& unloaded);
+
+private:
+  struct Implementation;
+
+  /// Finds `unknown` (its start and the last good state at the end) in load
+  /// steps; `save` is called before it returns or throws.
+  QuasiStaticResult solve(NodeVector& unknown, const std::function<void()>& save);
+  std::string diagnosis(double reached, double tried, double min_jacobian, double residual) const;
+
+  const QuasiStaticParameters& parameters_;
+  const Body& body_;
+  const Log log_;
+  dealii::Tensor<1, 3> body_force_;
+  const NodalForce* nodal_force_ = nullptr;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+} // namespace prosup::mechanics
+
+#endif

@@ -1,0 +1,218 @@
+#include "prosup/mechanics/body/body.h"
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/dofs/dof_renumbering.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_simplex_p.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "prosup/core/error.h"
+#include "prosup/core/tet_topology.h"
+
+namespace prosup::mechanics {
+
+using namespace dealii;
+
+namespace {
+
+IndexSet three_per_node(const IndexSet& nodes) {
+  IndexSet components(3 * nodes.size());
+  for (auto interval = nodes.begin_intervals(); interval != nodes.end_intervals(); ++interval)
+    components.add_range(3 * *interval->begin(), 3 * (interval->last() + 1));
+  components.compress();
+  return components;
+}
+
+/// Reorders a list that has `n` values for each item.
+template <typename T>
+void reorder(std::vector<T>& values, const std::vector<unsigned>& order, unsigned n = 1) {
+  std::vector<T> reordered;
+  reordered.reserve(values.size());
+  for (const unsigned item : order)
+    reordered.insert(reordered.end(), values.begin() + std::size_t(n) * item,
+                     values.begin() + std::size_t(n) * (item + 1));
+  values.swap(reordered);
+}
+
+/// Parts of the area of a quadratic face.
+constexpr double area_at_corner = 1. / 12., area_at_edge = 1. / 4.;
+
+} // namespace
+
+Body::Body(const Triangulation<3>& triangulation, Element element)
+    : communicator_(triangulation.get_communicator()), element_(element) {
+  if (!triangulation.all_reference_cells_are_simplex())
+    throw Error(
+        "The mesh of a body has cells that are no tetrahedra; only tetrahedral meshes are "
+        "allowed, so convert the others (GridGenerator::convert_hypercube_to_simplex_mesh).");
+  n_global_elements_ = triangulation.n_global_active_cells();
+  number_nodes(triangulation);
+  sort_elements();
+  list_cells();
+}
+
+void Body::number_nodes(const Triangulation<3>& triangulation) {
+  const FE_SimplexP<3> shape(element_.degree());
+  DoFHandler<3> nodes(triangulation);
+  nodes.distribute_dofs(shape);
+  DoFRenumbering::Cuthill_McKee(nodes);
+
+  IndexSet active;
+  DoFTools::extract_locally_active_dofs(nodes, active);
+  const IndexSet owned = three_per_node(nodes.locally_owned_dofs());
+  partitioner_ =
+      std::make_shared<Utilities::MPI::Partitioner>(owned, three_per_node(active), communicator_);
+  n_global_nodes_ = nodes.n_dofs();
+  n_owned_nodes_ = nodes.n_locally_owned_dofs();
+  n_local_nodes_ = n_owned_nodes_ + partitioner_->n_ghost_indices() / 3;
+  initialize(vertex_positions_);
+
+  const auto add = [&](types::global_dof_index node, const Point<3>& position,
+                       std::vector<unsigned>& list) {
+    const unsigned local = partitioner_->global_to_local(3 * node) / 3;
+    for (unsigned c = 0; c < 3; ++c)
+      vertex_positions_.local_element(3 * local + c) = position[c];
+    list.push_back(local);
+  };
+  for (const auto& cell : nodes.active_cell_iterators()) {
+    if (!cell->is_locally_owned())
+      continue;
+    for (unsigned v = 0; v < 4; ++v)
+      add(cell->vertex_dof_index(v, 0), cell->vertex(v), element_nodes_);
+    if (element_.degree() == 2)
+      for (unsigned e = 0; e < 6; ++e)
+        add(cell->line(e)->dof_index(0), cell->line(e)->center(), element_nodes_);
+    material_ids_.push_back(cell->material_id());
+    mesh_cells_.push_back(cell->id().get_coarse_cell_id());
+    for (const unsigned f : cell->face_indices())
+      if (cell->face(f)->at_boundary()) {
+        const auto face = cell->face(f);
+        BoundaryFace& boundary = boundary_faces_.emplace_back();
+        boundary.id = face->boundary_id();
+        for (unsigned v = 0; v < 3; ++v)
+          add(face->vertex_dof_index(v, 0), face->vertex(v), boundary.nodes);
+        if (element_.degree() == 2)
+          for (unsigned e = 0; e < 3; ++e)
+            add(face->line(e)->dof_index(0), face->line(e)->center(), boundary.nodes);
+      }
+  }
+  vertex_positions_.update_ghost_values();
+}
+
+void Body::sort_elements() {
+  const unsigned n = element_.n_nodes();
+  std::vector<unsigned> order(n_elements());
+  std::iota(order.begin(), order.end(), 0u);
+  const auto is_interior = [&](unsigned element) {
+    return *std::max_element(element_nodes(element), element_nodes(element) + n) < n_owned_nodes_;
+  };
+  const auto first_node = [&](unsigned element) {
+    return *std::min_element(element_nodes(element), element_nodes(element) + n);
+  };
+  std::stable_sort(order.begin(), order.end(), [&](unsigned a, unsigned b) {
+    return std::make_pair(is_interior(a), first_node(a)) <
+           std::make_pair(is_interior(b), first_node(b));
+  });
+  n_interface_elements_ =
+      static_cast<unsigned>(order.size() - std::count_if(order.begin(), order.end(), is_interior));
+  reorder(element_nodes_, order, n);
+  reorder(material_ids_, order);
+  reorder(mesh_cells_, order);
+}
+
+void Body::list_cells() {
+  for (unsigned e = 0; e < n_elements(); ++e) {
+    const unsigned* nodes = element_nodes(e);
+    if (element_.degree() == 1) {
+      cells_.push_back({nodes[0], nodes[1], nodes[2], nodes[3]});
+      cell_ids_.push_back(mesh_cells_[e]);
+      continue;
+    }
+    for (unsigned c = 0; c < tet_children.size(); ++c) {
+      const auto& child = tet_children[c];
+      cells_.push_back({nodes[child[0]], nodes[child[1]], nodes[child[2]], nodes[child[3]]});
+      cell_ids_.push_back(8 * mesh_cells_[e] + c);
+    }
+  }
+}
+
+void Body::initialize(NodeVector& vector) const {
+  vector.reinit(partitioner_);
+}
+
+std::vector<double> Body::sum_over_ranks(const std::vector<double>& at_local_nodes) const {
+  NodeVector sum;
+  initialize(sum);
+  for (unsigned node = 0; node < n_local_nodes_; ++node)
+    sum.local_element(3 * node) = at_local_nodes[node];
+  sum.compress(VectorOperation::add);
+  sum.update_ghost_values();
+  std::vector<double> result(n_local_nodes_);
+  for (unsigned node = 0; node < n_local_nodes_; ++node)
+    result[node] = sum.local_element(3 * node);
+  return result;
+}
+
+std::vector<bool> Body::nodes_on_boundary(const std::set<types::boundary_id>& ids,
+                                          const FaceFilter& counts) const {
+  const auto passes = [&](const BoundaryFace& face) {
+    const auto corner = [&](unsigned v) { return node_value(vertex_positions_, face.nodes[v]); };
+    const Tensor<1, 3> normal = cross_product_3d(corner(1) - corner(0), corner(2) - corner(0));
+    return counts((corner(0) + corner(1) + corner(2)) / 3., normal / normal.norm());
+  };
+  std::vector<double> marks(n_local_nodes_, 0.);
+  for (const BoundaryFace& face : boundary_faces_)
+    if (ids.count(face.id) > 0 && (!counts || passes(face)))
+      for (const unsigned node : face.nodes)
+        marks[node] = 1.;
+  // A node may touch the boundary only through an element of another rank.
+  marks = sum_over_ranks(marks);
+  std::vector<bool> on_boundary(n_local_nodes_);
+  std::transform(marks.begin(), marks.end(), on_boundary.begin(),
+                 [](double mark) { return mark > 0.; });
+  return on_boundary;
+}
+
+std::vector<double> Body::lumped_area(const std::set<types::boundary_id>& ids,
+                                      const NodeVector& positions) const {
+  std::vector<double> area(n_local_nodes_, 0.);
+  for (const BoundaryFace& face : boundary_faces_) {
+    if (ids.count(face.id) == 0)
+      continue;
+    const auto corner = [&](unsigned v) { return node_value(positions, face.nodes[v]); };
+    const double total =
+        0.5 * cross_product_3d(corner(1) - corner(0), corner(2) - corner(0)).norm();
+    for (unsigned v = 0; v < face.nodes.size(); ++v)
+      area[face.nodes[v]] += total * (face.nodes.size() == 3 ? 1. / 3.
+                                      : v < 3                ? area_at_corner
+                                                             : area_at_edge);
+  }
+  return sum_over_ranks(area);
+}
+
+std::vector<std::array<Point<3>, 4>> Body::gather_at_cells(const NodeVector& vector) const {
+  using CellValues = std::pair<std::vector<unsigned>, std::vector<double>>;
+  CellValues mine{cell_ids_, {}};
+  mine.second.reserve(12 * cells_.size());
+  for (const auto& corners : cells_)
+    for (const unsigned node : corners)
+      for (unsigned c = 0; c < 3; ++c)
+        mine.second.push_back(vector.local_element(3 * node + c));
+
+  std::vector<std::array<Point<3>, 4>> values;
+  const std::vector<CellValues> parts = Utilities::MPI::gather(communicator_, mine);
+  if (Utilities::MPI::this_mpi_process(communicator_) != 0)
+    return values;
+  values.resize(n_global_cells());
+  for (const auto& [ids, numbers] : parts)
+    for (std::size_t i = 0; i < ids.size(); ++i)
+      for (unsigned v = 0; v < 4; ++v)
+        values[ids[i]][v] = Point<3>(numbers[12 * i + 3 * v], numbers[12 * i + 3 * v + 1],
+                                     numbers[12 * i + 3 * v + 2]);
+  return values;
+}
+
+} // namespace prosup::mechanics

@@ -1,0 +1,43 @@
+#ifndef PROSUP_MECHANICS_ELEMENT_BATCHES_H
+#define PROSUP_MECHANICS_ELEMENT_BATCHES_H
+
+#include <memory>
+#include <vector>
+
+#include "prosup/mechanics/body/body.h"
+#include "prosup/mechanics/laws/material.h"
+
+namespace prosup::mechanics {
+
+/// The elements of a body in batches for the kernels, in the body's precision.
+/// Nodal fields are those of the kernels: kernel::node_stride doubles a node,
+/// n_padded_nodes() nodes, of which those beyond the body's own belong to
+/// lanes without an element.
+class ElementBatches {
+public:
+  /// Those with nodes of other ranks, and two halves of the rest, so that there
+  /// is work to do while ghost values travel in either direction.
+  enum Part { interface, first_interior, second_interior };
+  static constexpr unsigned n_parts = 3;
+
+  static std::unique_ptr<ElementBatches> create(const Body& body);
+  virtual ~ElementBatches() = default;
+
+  /// As InternalForce::set_material.
+  virtual void set_material(const std::vector<LameParameters>& parameters) = 0;
+  /// Returns the smallest volume of a quadrature point times 6/weight: det dX/dxi.
+  virtual double set_reference(const double* positions) = 0;
+  /// Adds internal forces; returns the smallest J.
+  virtual double add_forces(Part part, const double* positions, double* force) const = 0;
+  /// First pass of averaged nodal pressure: volumes at the nodes, one double each.
+  virtual void add_nodal_volumes(Part part, const double* positions, double* volumes) const = 0;
+};
+
+/// Nodes of the lanes without an element, behind those of the body.
+constexpr unsigned n_padding_nodes = 10;
+/// Writes the positions of a unit element to them.
+void place_padding_nodes(double* behind_the_nodes);
+
+} // namespace prosup::mechanics
+
+#endif

@@ -1,0 +1,93 @@
+#ifndef PROSUP_MECHANICS_EQUILIBRIUM_H
+#define PROSUP_MECHANICS_EQUILIBRIUM_H
+
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+
+#include <functional>
+#include <vector>
+
+#include "mechanics/element/element_tangent.h"
+#include "prosup/mechanics/static/quasi_static.h"
+
+namespace prosup::mechanics {
+
+class NodalPressure;
+
+/// Which positions are sought while the others are known.
+enum class Unknown { loaded, unloaded };
+
+/// The equations of equilibrium of a body, internal(X, x) - external(X, x) = 0
+/// at the nodes that are free, with one of X and x unknown, and their
+/// derivative by it. Positions have their ghosts. Knows no linear algebra.
+class Equilibrium {
+public:
+  /// Adds a dense block, stored row by row, at the components of nodes with
+  /// these global numbers.
+  using AddBlock =
+      std::function<void(const std::vector<int>& nodes, const std::vector<double>& values)>;
+
+  explicit Equilibrium(const Body& body);
+
+  const Body& body() const { return body_; }
+
+  /// @throws Error if there are neither one nor as many entries as elements.
+  void set_material(const std::vector<LameParameters>& parameters);
+  void set_fixed_nodes(const std::vector<bool>& fixed) { fixed_ = fixed; }
+  void set_nodal_force(const NodalForce* force) { nodal_force_ = force; }
+  /// b (g/(mm^2 s^2)) per unloaded volume and constant nodal forces.
+  void set_external_force(const dealii::Tensor<1, 3>& body_force, const NodeVector& nodal);
+  /// `known` has to live as long as the problem.
+  void set_problem(Unknown unknown, const NodeVector& known);
+  /// Part of the external force that acts; nodal forces that follow the nodes
+  /// act in full.
+  void set_load_fraction(double fraction) { load_fraction_ = fraction; }
+
+  /// @throws Error if there is no material or nothing holds the body. Collective.
+  void check() const;
+
+  /// Norm of the full external force at free nodes, g mm/s^2; 1 if there is none.
+  double external_force_norm(const NodeVector& unknown) const;
+
+  /// Writes the residual at owned nodes, 0 at fixed ones, g mm/s^2.
+  /// @returns the smallest J of all ranks; if it is not positive, the residual
+  /// means nothing. Collective.
+  double residual(const NodeVector& unknown, NodeVector& residual) const;
+
+  /// Adds up the derivative of the residual, 1 on the diagonal of fixed
+  /// components. The state has to be one of positive J. Collective.
+  void tangent(const NodeVector& unknown, const AddBlock& add) const;
+
+  /// Pairs of nodes that the tangent couples, in the rows of owned nodes.
+  /// Collective.
+  dealii::DynamicSparsityPattern node_pattern() const;
+
+private:
+  const NodeVector& unloaded(const NodeVector& unknown) const {
+    return unknown_ == Unknown::unloaded ? unknown : *known_;
+  }
+  const NodeVector& loaded(const NodeVector& unknown) const {
+    return unknown_ == Unknown::loaded ? unknown : *known_;
+  }
+  bool averages_pressure() const { return body_.element().type == ElementType::nodal_pressure; }
+  PointMaterial point_material(unsigned element, const NodalPressure* pressure) const;
+  void add_element_tangents(const NodeVector& unknown, const NodalPressure* pressure,
+                            const AddBlock& add) const;
+  void add_nodal_tangents(const NodeVector& unknown, const AddBlock& add) const;
+  void add_external_force(const NodeVector& unknown, double factor, NodeVector& force) const;
+  int global_node(unsigned local_node) const;
+
+  const Body& body_;
+  const ElementShape& shape_;
+  std::vector<LameParameters> material_; // of each element
+  std::vector<bool> fixed_;
+  dealii::Tensor<1, 3> body_force_;
+  NodeVector nodal_load_;
+  const NodalForce* nodal_force_ = nullptr;
+  Unknown unknown_ = Unknown::loaded;
+  const NodeVector* known_ = nullptr;
+  double load_fraction_ = 1.;
+};
+
+} // namespace prosup::mechanics
+
+#endif

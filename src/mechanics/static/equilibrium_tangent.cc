@@ -1,0 +1,116 @@
+#include <deal.II/lac/sparsity_tools.h>
+
+#include "equilibrium.h"
+#include "mechanics/element/nodal_pressure.h"
+
+namespace prosup::mechanics {
+
+using namespace dealii;
+
+namespace {
+
+std::vector<double> dense(const Tensor<2, 3>& block) {
+  return {block.begin_raw(), block.end_raw()};
+}
+
+/// sum over components of u_i w_j as a dense block.
+void outer(const std::vector<Tensor<1, 3>>& u, const std::vector<Tensor<1, 3>>& w,
+           std::vector<double>& values) {
+  values.clear();
+  for (const Tensor<1, 3>& row : u)
+    for (unsigned i = 0; i < 3; ++i)
+      for (const Tensor<1, 3>& column : w)
+        for (unsigned j = 0; j < 3; ++j)
+          values.push_back(row[i] * column[j]);
+}
+
+} // namespace
+
+void Equilibrium::tangent(const NodeVector& unknown, const AddBlock& add) const {
+  if (!averages_pressure()) {
+    add_element_tangents(unknown, nullptr, add);
+  } else {
+    NodalPressure pressure(body_);
+    pressure.evaluate(material_, unloaded(unknown), loaded(unknown));
+    add_element_tangents(unknown, &pressure, add);
+    std::vector<double> values;
+    for (const auto& patch : pressure.patches(unknown_ == Unknown::loaded, fixed_)) {
+      outer(patch.volume_change, patch.pressure_change, values);
+      add(patch.nodes, values);
+    }
+  }
+  add_nodal_tangents(unknown, add);
+}
+
+void Equilibrium::add_element_tangents(const NodeVector& unknown, const NodalPressure* pressure,
+                                       const AddBlock& add) const {
+  const unsigned n = shape_.n_nodes;
+  ElementMatrix matrix;
+  std::vector<int> global(n);
+  for (unsigned e = 0; e < body_.n_elements(); ++e) {
+    const ElementVector X = element_positions(body_, e, unloaded(unknown)),
+                        x = element_positions(body_, e, loaded(unknown));
+    const PointMaterial material = point_material(e, pressure);
+    matrix.reset(n);
+    for (unsigned q = 0; q < shape_.n_points; ++q) {
+      const PointKinematics point = point_kinematics(shape_, q, X, x);
+      if (unknown_ == Unknown::loaded) {
+        add_tangent_by_loaded(point, material, matrix);
+        continue;
+      }
+      add_tangent_by_unloaded(point, material, matrix);
+      add_body_force_by_unloaded(point, body_force_, -load_fraction_, matrix);
+    }
+    for (unsigned a = 0; a < n; ++a) {
+      const unsigned node = body_.element_nodes(e)[a];
+      global[a] = global_node(node);
+      if (fixed_[node])
+        matrix.clear(a);
+    }
+    add(global, matrix.values);
+  }
+}
+
+void Equilibrium::add_nodal_tangents(const NodeVector& unknown, const AddBlock& add) const {
+  for (unsigned node = 0; node < body_.n_owned_nodes(); ++node) {
+    Tensor<1, 3> force;
+    Tensor<2, 3> by_x, by_X;
+    if (fixed_[node])
+      add({global_node(node)}, dense(unit_symmetric_tensor<3>()));
+    else if (nodal_force_ != nullptr &&
+             nodal_force_->evaluate(node, node_value(unloaded(unknown), node),
+                                    node_value(loaded(unknown), node), force, by_x, by_X))
+      add({global_node(node)}, dense(unknown_ == Unknown::loaded ? -by_x : -by_X));
+  }
+}
+
+DynamicSparsityPattern Equilibrium::node_pattern() const {
+  const unsigned n_nodes = body_.n_global_nodes();
+  DynamicSparsityPattern pattern(n_nodes, n_nodes);
+  const auto couple = [&](const auto& nodes) {
+    for (const auto row : nodes)
+      for (const auto column : nodes)
+        pattern.add(row, column);
+  };
+  std::vector<int> global(shape_.n_nodes);
+  for (unsigned e = 0; e < body_.n_elements(); ++e) {
+    for (unsigned a = 0; a < shape_.n_nodes; ++a)
+      global[a] = global_node(body_.element_nodes(e)[a]);
+    couple(global);
+  }
+  if (averages_pressure()) {
+    NodalPressure pressure(body_);
+    const std::vector<LameParameters> any(body_.n_elements(), LameParameters{1., 1.});
+    pressure.evaluate(any, body_.vertex_positions(), body_.vertex_positions());
+    for (const auto& patch : pressure.patches(true, fixed_))
+      couple(patch.nodes);
+  }
+  IndexSet owned(n_nodes);
+  if (body_.n_owned_nodes() > 0)
+    owned.add_range(global_node(0), global_node(0) + body_.n_owned_nodes());
+  SparsityTools::distribute_sparsity_pattern(pattern, owned, body_.communicator(),
+                                             complete_index_set(n_nodes));
+  return pattern;
+}
+
+} // namespace prosup::mechanics

@@ -1,0 +1,43 @@
+#include "prosup/mechanics/static/quasi_static.h"
+
+namespace prosup::mechanics {
+
+using namespace dealii;
+
+const std::vector<std::string>& linear_algebra_names() {
+  static const std::vector<std::string> names{"petsc-direct", "petsc-gamg", "trilinos-direct",
+                                              "trilinos-amg"};
+  return names;
+}
+
+QuasiStaticParameters::QuasiStaticParameters()
+    : ParameterAcceptor("Quasi-static"), linear_algebra("petsc-gamg") {}
+
+void QuasiStaticParameters::declare_parameters(ParameterHandler& prm) {
+  std::string names;
+  for (const std::string& name : linear_algebra_names())
+    names += (names.empty() ? "" : "|") + name;
+  prm.add_parameter(
+      "Linear algebra", linear_algebra,
+      "Who solves the linear equations of Newton's method. petsc-direct: MUMPS under SNES. "
+      "petsc-gamg: GMRES with algebraic multigrid under SNES. trilinos-direct: MUMPS through "
+      "Amesos. trilinos-amg: GMRES with the multigrid ML. Units: none.",
+      Patterns::Selection(names));
+  prm.add_parameter("Tolerance", tolerance,
+                    "Stop when the norm of the out-of-balance nodal forces is below this part of "
+                    "the norm of the external force. Units: none.",
+                    Patterns::Double(1e-12, 1.));
+  prm.add_parameter("Maximum iterations", max_iterations,
+                    "Newton steps in one load step before it counts as failed. Units: none.",
+                    Patterns::Integer(1, 10000));
+  prm.add_parameter("Load steps", load_steps,
+                    "First number of equal steps in which the load is applied; a step that fails "
+                    "is halved. Units: none.",
+                    Patterns::Integer(1, 10000));
+  prm.add_parameter("Maximum halvings", max_halvings,
+                    "How often the load step may be halved before the solver gives up. "
+                    "Units: none.",
+                    Patterns::Integer(0, 30));
+}
+
+} // namespace prosup::mechanics

@@ -1,0 +1,2 @@
+// An include between wings that has no arrow.
+#include "prosup/mesh/static/newton.h"
