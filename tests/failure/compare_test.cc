@@ -1,7 +1,6 @@
 #include "refused.h"
 
-using namespace prosup::testing;
-
+namespace prosup::tests {
 namespace {
 
 class Compare : public Refused {
@@ -10,8 +9,6 @@ protected:
     return Arguments{"compare", PROSUP_PRM_FOLDER "/tests/small.prm", "--output", output()} + wrong;
   }
 };
-
-} // namespace
 
 TEST_F(Compare, WithoutRuns) {
   expect_refused(comparing({}), {"nothing to compare", "Comparison/Runs"});
@@ -46,3 +43,6 @@ TEST_F(Compare, OutputFolderWithForeignContent) {
                  {"summary.json", "--output"});
   EXPECT_EQ(contents(folder_ / "thesis.txt"), "years of work");
 }
+
+} // namespace
+} // namespace prosup::tests

@@ -3,9 +3,7 @@
 #include "prosup/image/image_io.h"
 #include "refused.h"
 
-using namespace prosup;
-using namespace prosup::testing;
-
+namespace prosup::tests {
 namespace {
 
 class Input : public Refused {
@@ -26,8 +24,6 @@ protected:
                  whole.substr(0, whole.size() / 2));
   }
 };
-
-} // namespace
 
 TEST_F(Input, ImageThatDoesNotExist) {
   const Arguments wrong = registering({"--supine-image", "nowhere/supine.nrrd"});
@@ -139,3 +135,6 @@ TEST_F(Input, ExcludedRegionOnOtherVoxels) {
   const Arguments wrong = registering({"--set", "Case/Prone excluded=" + mask});
   expect_refused(wrong, {"labels.nrrd", "origin"});
 }
+
+} // namespace
+} // namespace prosup::tests

@@ -1,6 +1,7 @@
 #include "refused.h"
 
-using namespace prosup::testing;
+namespace prosup::tests {
+namespace {
 
 using Parameters = Refused;
 
@@ -55,3 +56,6 @@ TEST_F(Parameters, GravityWithoutDirection) {
   expect_refused(registering({"--supine-gravity", "0,1"}), {"Supine gravity=0,1"});
   expect_refused(registering({"--supine-gravity", "down"}), {"Supine gravity=down"});
 }
+
+} // namespace
+} // namespace prosup::tests

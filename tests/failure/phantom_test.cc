@@ -1,7 +1,6 @@
 #include "refused.h"
 
-using namespace prosup::testing;
-
+namespace prosup::tests {
 namespace {
 
 class Phantom : public Refused {
@@ -11,8 +10,6 @@ protected:
             setting};
   }
 };
-
-} // namespace
 
 TEST_F(Phantom, SizesThatContradictEachOther) {
   for (const unsigned n_ranks : {1u, 2u})
@@ -45,3 +42,6 @@ TEST_F(Phantom, LoadOfAMeshThatIsNone) {
                  {"nowhere.vtu", "does not exist"});
   expect_refused({"load", "--output", output()}, {"Prone labels", "--prone-labels"});
 }
+
+} // namespace
+} // namespace prosup::tests

@@ -10,7 +10,7 @@
 
 #include "program.h"
 
-namespace prosup::testing {
+namespace prosup::tests {
 
 using Arguments = std::vector<std::string>;
 
@@ -74,6 +74,6 @@ protected:
   const TemporaryFolder folder_;
 };
 
-} // namespace prosup::testing
+} // namespace prosup::tests
 
 #endif

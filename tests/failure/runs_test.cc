@@ -1,7 +1,6 @@
 #include "refused.h"
 
-using namespace prosup::testing;
-
+namespace prosup::tests {
 namespace {
 
 class Run : public Refused {
@@ -13,8 +12,6 @@ protected:
     return {"map", "--result", result, "--from", from, "--to", to, file, "-o", output()};
   }
 };
-
-} // namespace
 
 // No body of this size can carry its weight with this stiffness.
 TEST_F(Run, MaterialTooSoft) {
@@ -84,3 +81,6 @@ TEST_F(Run, NoCommandOrAnUnknownOne) {
   expect_refused({"regster"}, {"regster", "register", "unload", "mesh", "map"});
   expect_refused({"register", "--ouput", output()}, {"--ouput", "--help"});
 }
+
+} // namespace
+} // namespace prosup::tests

@@ -4,7 +4,7 @@
 #include "box_of_tets.h"
 #include "prosup/mesh/tet_mesh.h"
 
-namespace prosup::testing {
+namespace prosup::tests {
 
 /// x = A X + b, and its inverse.
 struct AffineMap {
@@ -38,6 +38,6 @@ inline mesh::UnloadedMesh affine_mesh(const mesh::TetMesh& reference, const Affi
   return result;
 }
 
-} // namespace prosup::testing
+} // namespace prosup::tests
 
 #endif

@@ -5,7 +5,7 @@
 
 #include "prosup/mesh/tet_mesh.h"
 
-namespace prosup::testing {
+namespace prosup::tests {
 
 /// The box [low, high] cut into n^3 bricks of six tetrahedra each; inner nodes
 /// are moved at random by up to `jitter` brick lengths, so that no face lies in
@@ -44,6 +44,6 @@ inline mesh::TetMesh box_of_tets(const dealii::Point<3>& low, const dealii::Poin
   return box;
 }
 
-} // namespace prosup::testing
+} // namespace prosup::tests
 
 #endif

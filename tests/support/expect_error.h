@@ -8,7 +8,7 @@
 
 #include "prosup/core/error.h"
 
-namespace prosup::testing {
+namespace prosup::tests {
 
 /// Expects `action` to throw prosup::Error with one sentence that holds all of
 /// `fragments`.
@@ -30,6 +30,6 @@ void expect_error(const Action& action, const std::vector<std::string>& fragment
   ADD_FAILURE() << "no error was thrown";
 }
 
-} // namespace prosup::testing
+} // namespace prosup::tests
 
 #endif

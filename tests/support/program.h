@@ -10,7 +10,7 @@
 #include "temporary_folder.h"
 #include "text_file.h"
 
-namespace prosup::testing {
+namespace prosup::tests {
 
 /// What a run of the prosup program left behind.
 struct ProgramRun {
@@ -53,6 +53,6 @@ inline std::string data_file(const std::string& name) {
   return std::string(PROSUP_TEST_DATA) + "/" + name;
 }
 
-} // namespace prosup::testing
+} // namespace prosup::tests
 
 #endif

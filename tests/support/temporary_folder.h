@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace prosup::testing {
+namespace prosup::tests {
 
 /// A new empty folder, deleted with all it holds at the end of the scope.
 class TemporaryFolder {
@@ -30,6 +30,6 @@ private:
   std::filesystem::path path_;
 };
 
-} // namespace prosup::testing
+} // namespace prosup::tests
 
 #endif

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-namespace prosup::testing {
+namespace prosup::tests {
 
 /// Writes a file and returns its path.
 inline std::filesystem::path text_file(const std::filesystem::path& file, const std::string& text) {
@@ -20,6 +20,6 @@ inline std::string contents(const std::filesystem::path& file) {
   return text.str();
 }
 
-} // namespace prosup::testing
+} // namespace prosup::tests
 
 #endif

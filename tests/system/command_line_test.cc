@@ -6,9 +6,7 @@
 #include "program.h"
 #include "prosup/core/version.h"
 
-using namespace prosup;
-using namespace prosup::testing;
-
+namespace prosup::tests {
 namespace {
 
 const std::vector<std::string> commands{"register", "unload",  "load", "mesh",
@@ -28,8 +26,6 @@ std::string value_of(const std::string& prm, const std::string& entry) {
   const std::regex line("set " + entry + " *= *(.*?) *(#|\\n)");
   return std::regex_search(prm, match, line) ? match[1].str() : "";
 }
-
-} // namespace
 
 TEST(Help, OfEachCommandNamesItsOptions) {
   const ProgramRun program = run_prosup({"--help"});
@@ -107,3 +103,6 @@ TEST(ShippedParameters, AreReadAndNameFilesThatExist) {
       }
   }
 }
+
+} // namespace
+} // namespace prosup::tests

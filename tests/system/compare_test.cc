@@ -11,12 +11,10 @@
 #include "prosup/image/image_io.h"
 #include "small_registration.h"
 
-using namespace prosup;
-using namespace prosup::testing;
+namespace prosup::tests {
+namespace {
 
 namespace fs = std::filesystem;
-
-namespace {
 
 const std::string small = PROSUP_PRM_FOLDER "/tests/small.prm";
 
@@ -53,8 +51,6 @@ void write_stand_in(const fs::path& program, const fs::path& displacement) {
                          displacement.string() + "' \"$(sed -n s/vf_out=//p $2)\"\n");
   fs::permissions(program, fs::perms::owner_all);
 }
-
-} // namespace
 
 TEST(Compare, TellsSpeedAndErrorOfEachRunAndWhatFailed) {
   const TemporaryFolder folder;
@@ -185,3 +181,6 @@ TEST(Compare, ShippedStudiesGiveArgumentsThatExist) {
   }
   EXPECT_GE(n_studies, 6u);
 }
+
+} // namespace
+} // namespace prosup::tests

@@ -1,8 +1,6 @@
 #include "small_registration.h"
 
-using namespace prosup;
-using namespace prosup::testing;
-
+namespace prosup::tests {
 namespace {
 
 /// Prone MR and supine CT of the small phantom, made once.
@@ -43,8 +41,6 @@ double mean(const Json& errors, const std::string& row) {
   return errors.at(row).at("mean");
 }
 
-} // namespace
-
 // Unloading with the generic material leaves nearly 3 mm, and images with voxels
 // of 2 mm, compared on voxels of 4 mm, bring it to less than a voxel.
 TEST(Contrast, MrAndCtAreRegistered) {
@@ -63,3 +59,6 @@ TEST(Contrast, SsdOfImagesAsGivenDoesNotRegisterThem) {
   const Json found = errors("ssd", "as given", "Material update/Maximum steps=0");
   EXPECT_GT(mean(found, "image_forces"), 0.6 * mean(found, "unloaded"));
 }
+
+} // namespace
+} // namespace prosup::tests

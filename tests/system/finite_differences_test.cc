@@ -1,14 +1,11 @@
 #include "small_registration.h"
 
-using namespace prosup::testing;
-
+namespace prosup::tests {
 namespace {
 
 double mean_error(const Json& summary, const char* row) {
   return summary.at("tre").at(row).at("mean").get<double>();
 }
-
-} // namespace
 
 // As `prosup register prm/tests/small.prm`, by the paper's method.
 TEST(FiniteDifferences, RegisterBringsTheLandmarksTogether) {
@@ -57,3 +54,6 @@ TEST(FiniteDifferences, LoadIsForFiniteElements) {
   EXPECT_NE(run.transcript().find("--method fe"), std::string::npos) << run.transcript();
   EXPECT_FALSE(std::filesystem::exists(folder / "result"));
 }
+
+} // namespace
+} // namespace prosup::tests

@@ -3,8 +3,8 @@
 #include "prosup/evaluation/landmarks_csv.h"
 #include "small_registration.h"
 
-using namespace prosup;
-using namespace prosup::testing;
+namespace prosup::tests {
+namespace {
 
 // The control observer agrees to 3 mm but for one landmark that is 20 mm away.
 TEST(Landmarks, ControlObserverOfAFinishedRegistration) {
@@ -36,3 +36,6 @@ TEST(Landmarks, RefusesAFolderWithoutResult) {
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_NE(run.err.find("no finished registration"), std::string::npos) << run.transcript();
 }
+
+} // namespace
+} // namespace prosup::tests

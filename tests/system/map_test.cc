@@ -6,12 +6,11 @@
 #include "prosup/evaluation/points.h"
 #include "small_registration.h"
 
-using namespace prosup;
-using namespace prosup::testing;
+namespace prosup::tests {
+namespace {
+
 using dealii::Point;
 using evaluation::NamedPoint;
-
-namespace {
 
 const std::filesystem::path& registered() {
   return SmallRegistration::on_ranks(1).folder;
@@ -62,8 +61,6 @@ std::vector<NamedPoint> landmarks_in(const std::string& state) {
     points.push_back({landmark.id, state == "prone" ? landmark.prone : landmark.supine});
   return points;
 }
-
-} // namespace
 
 // The maps are exact inverses inside the meshes. A landmark that is inside one
 // mesh and outside the other moves with the closest surface point, which is no
@@ -131,3 +128,6 @@ TEST(Map, ToTheSameStateIsTheIdentity) {
   for (std::size_t i = 0; i < points.size(); ++i)
     EXPECT_LE(same[i].position.distance(points[i].position), 1e-5) << points[i].id;
 }
+
+} // namespace
+} // namespace prosup::tests

@@ -2,14 +2,10 @@
 #include "prosup/output/vtu.h"
 #include "small_registration.h"
 
-using namespace prosup;
-using namespace prosup::testing;
-
+namespace prosup::tests {
 namespace {
 
 constexpr const char* small = PROSUP_PRM_FOLDER "/tests/small.prm";
-
-} // namespace
 
 TEST(Mesh, WritesTheMeshOfOneStateAndItsQuality) {
   const TemporaryFolder folder;
@@ -110,3 +106,6 @@ TEST(Unload, ElementsAndSolversAgree) {
     EXPECT_EQ(mesh.mesh.cells.size(), n_parts * averaged.mesh.cells.size()) << choice.name;
   }
 }
+
+} // namespace
+} // namespace prosup::tests

@@ -6,9 +6,7 @@
 #include "prosup/output/vtu.h"
 #include "small_registration.h"
 
-using namespace prosup;
-using namespace prosup::testing;
-
+namespace prosup::tests {
 namespace {
 
 constexpr const char* small_phantom = PROSUP_PRM_FOLDER "/tests/phantom_small.prm";
@@ -55,8 +53,6 @@ protected:
 
   const TemporaryFolder folder_;
 };
-
-} // namespace
 
 TEST_F(PhantomCommand, IsTheSameOnTwoRanks) {
   const std::vector<std::string> finer{"Quasi-static/Tolerance=1e-10"};
@@ -192,3 +188,6 @@ TEST(Load, LoadsLabelsAndTheirImage) {
   EXPECT_TRUE(std::filesystem::exists(result / "unloaded_to_prone.nrrd"));
   EXPECT_TRUE(std::filesystem::exists(result / "slices_axial.png"));
 }
+
+} // namespace
+} // namespace prosup::tests

@@ -3,9 +3,7 @@
 #include "prosup/image/image_io.h"
 #include "small_registration.h"
 
-using namespace prosup;
-using namespace prosup::testing;
-
+namespace prosup::tests {
 namespace {
 
 constexpr const char* tre_rows[] = {"initial", "unloaded", "material", "image_forces"};
@@ -36,8 +34,6 @@ void expect_plausible(const image::VectorImage& field, const std::string& name) 
   EXPECT_GT(largest, 5.) << name;
   EXPECT_LT(largest, 60.) << name;
 }
-
-} // namespace
 
 INSTANTIATE_TEST_SUITE_P(Ranks, Register, ::testing::Values(1u, 2u),
                          [](const auto& info) { return "on_" + std::to_string(info.param); });
@@ -180,3 +176,6 @@ TEST(RegisterAgain, FromItsUsedParametersGivesTheSame) {
   ASSERT_EQ(run.exit_code, 0) << run.transcript();
   EXPECT_EQ(read_json(again + "/summary.json").at("tre"), first.summary.at("tre"));
 }
+
+} // namespace
+} // namespace prosup::tests

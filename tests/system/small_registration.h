@@ -10,7 +10,7 @@
 
 #include "program.h"
 
-namespace prosup::testing {
+namespace prosup::tests {
 
 using Json = nlohmann::json;
 
@@ -47,6 +47,6 @@ private:
   Result results_[2];
 };
 
-} // namespace prosup::testing
+} // namespace prosup::tests
 
 #endif

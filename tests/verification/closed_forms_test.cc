@@ -7,12 +7,11 @@
 #include "figures.h"
 #include "prosup/mechanics/element/internal_force.h"
 
-using namespace dealii;
-using namespace prosup;
-using namespace prosup::mechanics;
-using tests::tell_figure;
-
+namespace prosup::tests {
 namespace {
+
+using namespace dealii;
+using namespace prosup::mechanics;
 
 const Point<3> size(30., 20., 25.); // mm
 constexpr double mu = 400., nu = 0.4;
@@ -25,7 +24,7 @@ struct Response {
 };
 
 Response deform(const Element& element, const Tensor<2, 3>& F, unsigned face_axis) {
-  const auto mesh = tests::make_box(MPI_COMM_WORLD, {4, 3, 3}, size, [](const Point<3>& p) {
+  const auto mesh = make_box(MPI_COMM_WORLD, {4, 3, 3}, size, [](const Point<3>& p) {
     Point<3> moved = p; // inner nodes only
     for (unsigned d = 0; d < 3; ++d)
       moved[d] += 0.8 * std::sin(M_PI * p[0] / size[0]) * std::sin(M_PI * p[1] / size[1]) *
@@ -73,19 +72,17 @@ double lateral_stretch(double l) {
 /// Runs `check` for all elements in both precisions, with what it may be wrong by.
 template <typename Check>
 void for_all_elements(const Check& check) {
-  for (const ElementType type : tests::all_element_types)
+  for (const ElementType type : all_element_types)
     for (const Precision precision : {Precision::double_precision, Precision::single_precision})
       check(Element{type, precision}, precision == Precision::double_precision ? 1e-11 : 1e-4);
 }
 
 void tell(const std::string& what, const std::string& against, const Element& element, double error,
           double bound) {
-  tell_figure(what + ", " + tests::name_of(element.type) + ", " +
+  tell_figure(what + ", " + name_of(element.type) + ", " +
                   precision_names()[static_cast<unsigned>(element.precision)],
               against, format("%.1e relative", error), format("%.0e", bound));
 }
-
-} // namespace
 
 TEST(ClosedForms, UniaxialStretch) {
   for_all_elements([](const Element& element, double bound) {
@@ -102,7 +99,7 @@ TEST(ClosedForms, UniaxialStretch) {
       largest = std::max({largest, (response.mean_stress - expected).norm() / mu,
                           (response.face_force - pull).norm() / (mu * size[1] * size[2])});
     }
-    EXPECT_LT(largest, bound) << tests::name_of(element.type);
+    EXPECT_LT(largest, bound) << name_of(element.type);
     tell("uniaxial stretch 0.6 to 2, nu = 0.4", "P = mu (l - s^2/l), stress-free sides", element,
          largest, bound);
   });
@@ -123,8 +120,11 @@ TEST(ClosedForms, SimpleShear) {
       largest = std::max({largest, (response.mean_stress - expected).norm() / mu,
                           std::abs(response.face_force[0] - pull) / (mu * size[0] * size[2])});
     }
-    EXPECT_LT(largest, bound) << tests::name_of(element.type);
+    EXPECT_LT(largest, bound) << name_of(element.type);
     tell("simple shear 0.1 to 1, nu = 0.4", "P12 = P21 = mu g, all else 0", element, largest,
          bound);
   });
 }
+
+} // namespace
+} // namespace prosup::tests

@@ -6,12 +6,11 @@
 #include "loaded_box.h"
 #include "static_box.h"
 
-using namespace dealii;
-using namespace prosup;
-using namespace prosup::mechanics;
-using tests::tell_figure;
-
+namespace prosup::tests {
 namespace {
+
+using namespace dealii;
+using namespace prosup::mechanics;
 
 constexpr double length = 100.; // mm
 const std::vector<unsigned> n_bricks{1, 25, 1};
@@ -33,15 +32,15 @@ double lowest(const Body& body, const NodeVector& displacement) {
 }
 
 double newton_sag(double mu) {
-  tests::StaticBox column(n_bricks, size, ElementType::quadratic, lame_parameters(mu, 0.));
+  StaticBox column(n_bricks, size, ElementType::quadratic, lame_parameters(mu, 0.));
   EXPECT_TRUE(column.load().converged);
   return lowest(column.body, column.displacement);
 }
 
 double explicit_sag(double mu) {
-  const auto mesh = tests::make_box(MPI_COMM_WORLD, n_bricks, size);
+  const auto mesh = make_box(MPI_COMM_WORLD, n_bricks, size);
   const Body body(*mesh, Element{ElementType::quadratic});
-  const tests::HangingBoxParameters parameters;
+  const HangingBoxParameters parameters;
   Supports supports(body, {3});
   unloading::Unloading loading(parameters, supports, Tensor<1, 3>({0., -1., 0.}));
   loading.hold_reference();
@@ -65,8 +64,6 @@ void expect_sags(const std::string& solver, double (*sag)(double)) {
               "exact sag", format("%.1e mm", largest), format("%.3f mm", bound));
 }
 
-} // namespace
-
 TEST(HangingColumn, NewtonAgainstTheExactSag) {
   expect_sags("Newton", newton_sag);
 }
@@ -74,3 +71,6 @@ TEST(HangingColumn, NewtonAgainstTheExactSag) {
 TEST(HangingColumn, ExplicitAgainstTheExactSag) {
   expect_sags("explicit", explicit_sag);
 }
+
+} // namespace
+} // namespace prosup::tests

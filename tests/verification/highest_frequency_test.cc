@@ -7,13 +7,11 @@
 #include "figures.h"
 #include "moving_box.h"
 
-using namespace dealii;
-using namespace prosup;
-using namespace prosup::mechanics;
-using tests::MovingBox;
-using tests::tell_figure;
-
+namespace prosup::tests {
 namespace {
+
+using namespace dealii;
+using namespace prosup::mechanics;
 
 /// Largest omega^2 of K phi = omega^2 M phi on the free nodes by LAPACK's dsygv,
 /// K column by column from differences of forces. For bodies of one rank.
@@ -51,7 +49,7 @@ double dense_eigenvalue(const MovingBox& box, const std::vector<double>& mass) {
 
 struct Shape {
   const char* name;
-  tests::Distortion distortion;
+  Distortion distortion;
 };
 
 /// A state in which the box is bent, stretched and compressed by a third.
@@ -85,19 +83,20 @@ std::pair<double, double> step_ratios(const Shape& shape, ElementType type) {
   return range;
 }
 
-} // namespace
-
 TEST(HighestFrequency, CriticalStepAgainstADenseEigenvalueProblem) {
   const std::vector<Shape> shapes{
-      {"regular", nullptr}, {"distorted", tests::jittered}, {"slivers", tests::flattened}};
-  for (const ElementType type : tests::all_element_types)
+      {"regular", nullptr}, {"distorted", jittered}, {"slivers", flattened}};
+  for (const ElementType type : all_element_types)
     for (const Shape& shape : shapes) {
       const auto [least, most] = step_ratios(shape, type);
-      EXPECT_GT(least, 0.9) << tests::name_of(type) << " " << shape.name;
-      EXPECT_LE(most, 1. + 1e-6) << tests::name_of(type) << " " << shape.name;
-      tell_figure(std::string("critical step, ") + shape.name + ", " + tests::name_of(type) +
+      EXPECT_GT(least, 0.9) << name_of(type) << " " << shape.name;
+      EXPECT_LE(most, 1. + 1e-6) << name_of(type) << " " << shape.name;
+      tell_figure(std::string("critical step, ") + shape.name + ", " + name_of(type) +
                       ", nu 0.3 and 0.49, rest and bent, masses scaled or not",
                   "all of K phi = omega^2 M phi by LAPACK",
                   format("%.3f to %.3f of the true limit", least, most), "0.9 to 1");
     }
 }
+
+} // namespace
+} // namespace prosup::tests

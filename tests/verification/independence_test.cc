@@ -6,12 +6,11 @@
 #include "loaded_box.h"
 #include "static_box.h"
 
-using namespace dealii;
-using namespace prosup;
-using namespace prosup::mechanics;
-using tests::tell_figure;
-
+namespace prosup::tests {
 namespace {
+
+using namespace dealii;
+using namespace prosup::mechanics;
 
 constexpr double edge = 15.; // mm
 const LameParameters material = lame_parameters(200., 0.4);
@@ -28,7 +27,7 @@ const Settings all_settings[] = {{"fixed", 0., 0., 2.5},
                                  {"adaptive", 1., 1., 4.}};
 
 double settled_difference(const Body& body, const Settings& settings, const NodeVector& expected) {
-  tests::HangingBoxParameters parameters;
+  HangingBoxParameters parameters;
   if (body.element().precision == Precision::single_precision) { // forces round at 1e-6 or so
     parameters.residual_tolerance = 5e-5;
     parameters.position_tolerance = 1e-3;
@@ -42,19 +41,17 @@ double settled_difference(const Body& body, const Settings& settings, const Node
   unloading::Unloading unloading(parameters, supports, Tensor<1, 3>({0., -1., 0.}));
   unloading.set_material({material});
   EXPECT_TRUE(unloading.run().converged) << settings.damping;
-  return tests::largest_difference(unloading.unloaded(), expected);
+  return largest_difference(unloading.unloaded(), expected);
 }
 
-} // namespace
-
 TEST(Independence, UnloadedStateOfAnyDampingRampAndMass) {
-  for (const ElementType type : tests::all_element_types) {
+  for (const ElementType type : all_element_types) {
     const unsigned n = type == ElementType::quadratic ? 2 : 4;
-    tests::StaticBox box({n, n, n}, {edge, edge, edge}, type, material);
+    StaticBox box({n, n, n}, {edge, edge, edge}, type, material);
     NodeVector expected = box.body.vertex_positions();
     expected.update_ghost_values();
     EXPECT_TRUE(box.solver.unload(box.body.vertex_positions(), expected).converged);
-    const double motion = tests::largest_difference(expected, box.body.vertex_positions());
+    const double motion = largest_difference(expected, box.body.vertex_positions());
     EXPECT_GT(motion, 1.);
     for (const Precision precision : {Precision::double_precision, Precision::single_precision}) {
       const Body body(*box.mesh, Element{type, precision});
@@ -63,12 +60,14 @@ TEST(Independence, UnloadedStateOfAnyDampingRampAndMass) {
       double largest = 0.;
       for (const Settings& settings : all_settings)
         largest = std::max(largest, settled_difference(body, settings, expected));
-      EXPECT_LT(largest, bound) << tests::name_of(type) << (in_double ? " double" : " single");
-      tell_figure("unloading in four ways (damping, ramp, mass scaling, lag), " +
-                      tests::name_of(type) + ", " +
-                      precision_names()[static_cast<unsigned>(precision)] +
+      EXPECT_LT(largest, bound) << name_of(type) << (in_double ? " double" : " single");
+      tell_figure("unloading in four ways (damping, ramp, mass scaling, lag), " + name_of(type) +
+                      ", " + precision_names()[static_cast<unsigned>(precision)] +
                       format(", moves %.1f mm", motion),
                   "Newton", format("%.1e mm at most", largest), format("%.0e mm", bound));
     }
   }
 }
+
+} // namespace
+} // namespace prosup::tests

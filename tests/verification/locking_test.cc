@@ -6,19 +6,17 @@
 #include "figures.h"
 #include "static_box.h"
 
-using namespace dealii;
-using namespace prosup;
-using namespace prosup::mechanics;
-using tests::tell_figure;
-
+namespace prosup::tests {
 namespace {
+
+using namespace dealii;
+using namespace prosup::mechanics;
 
 constexpr double edge = 60., mu = 400.; // mm, Pa
 
 /// How far the lowest node of a hanging cube sinks, mm.
 double sag(ElementType type, double nu, unsigned n) {
-  tests::StaticBox cube({n, n, n}, {edge, edge, edge}, type, lame_parameters(mu, nu),
-                        "petsc-direct");
+  StaticBox cube({n, n, n}, {edge, edge, edge}, type, lame_parameters(mu, nu), "petsc-direct");
   cube.parameters.load_steps = nu > 0.496 ? 2 : 1;
   EXPECT_TRUE(cube.load().converged);
   double deepest = 0.;
@@ -43,8 +41,6 @@ struct Mesh {
   double most_sag;
 };
 
-} // namespace
-
 // What linear elements do is written down, too: they lock.
 TEST(Locking, SagOfANearlyIncompressibleCube) {
   for (const Mesh& mesh :
@@ -56,10 +52,10 @@ TEST(Locking, SagOfANearlyIncompressibleCube) {
       relative = sag(mesh.type, nu, mesh.n) / converged_sag(nu);
       list += format("%s%.1f", list.empty() ? "" : ", ", 100. * (relative - 1.));
     }
-    EXPECT_GT(relative, mesh.least_sag) << tests::name_of(mesh.type);
-    EXPECT_LT(relative, mesh.most_sag) << tests::name_of(mesh.type);
-    tell_figure("sag of a hanging cube at nu = 0.45, 0.49, 0.495, 0.499, " +
-                    tests::name_of(mesh.type) + ", 729 nodes",
+    EXPECT_GT(relative, mesh.least_sag) << name_of(mesh.type);
+    EXPECT_LT(relative, mesh.most_sag) << name_of(mesh.type);
+    tell_figure("sag of a hanging cube at nu = 0.45, 0.49, 0.495, 0.499, " + name_of(mesh.type) +
+                    ", 729 nodes",
                 "fine quadratic mesh, extrapolated", list + " %",
                 format("at 0.499: %.0f to %.0f %%", 100. * (mesh.least_sag - 1.),
                        100. * (mesh.most_sag - 1.)));
@@ -74,3 +70,6 @@ TEST(Locking, DISABLED_ConvergedSag) {
     EXPECT_NEAR(fine + (fine - coarse) * 36. / (64. - 36.), converged_sag(nu), 0.01);
   }
 }
+
+} // namespace
+} // namespace prosup::tests

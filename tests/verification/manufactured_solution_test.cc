@@ -7,12 +7,11 @@
 #include "figures.h"
 #include "static_box.h"
 
-using namespace dealii;
-using namespace prosup;
-using namespace prosup::mechanics;
-using tests::tell_figure;
-
+namespace prosup::tests {
 namespace {
+
+using namespace dealii;
+using namespace prosup::mechanics;
 
 constexpr double edge = 40.; // mm
 const LameParameters material = lame_parameters(400., 0.45);
@@ -125,7 +124,7 @@ Errors errors(const Body& body, const NodeVector& u) {
 }
 
 Errors solve(ElementType type, unsigned n) {
-  tests::StaticBox box({n, n, n}, {edge, edge, edge}, type, material);
+  StaticBox box({n, n, n}, {edge, edge, edge}, type, material);
   const std::vector<bool> boundary = box.body.nodes_on_boundary({0, 1, 2, 3, 4, 5});
   box.solver.set_fixed_nodes(boundary);
   box.solver.set_body_force({});
@@ -153,14 +152,12 @@ void expect_rate(ElementType type, const std::vector<unsigned>& n, double least_
   const double ratio = std::log2(double(n.back()) / n[n.size() - 2]);
   const double rate = std::log2(last.l2 / finest.l2) / ratio;
   EXPECT_GT(rate, least_rate);
-  tell_figure("manufactured solution, nu = 0.45, " + tests::name_of(type) +
+  tell_figure("manufactured solution, nu = 0.45, " + name_of(type) +
                   format(", %u to %u bricks per edge", n.front(), n.back()),
               "u(X) chosen, body force -Div P",
               "rate " + format("%.2f", rate) + " in L2; error L2/max " + list + " mm",
               format("rate > %.2f", least_rate));
 }
-
-} // namespace
 
 TEST(ManufacturedSolution, LinearIsOfSecondOrder) {
   expect_rate(ElementType::linear, {4, 8, 16}, 1.85);
@@ -173,3 +170,6 @@ TEST(ManufacturedSolution, NodalPressureIsOfSecondOrder) {
 TEST(ManufacturedSolution, QuadraticIsOfThirdOrder) {
   expect_rate(ElementType::quadratic, {2, 4, 8}, 2.8);
 }
+
+} // namespace
+} // namespace prosup::tests

@@ -11,13 +11,12 @@
 #include "prosup/mesh/mask_mesher.h"
 #include "prosup/unloading/support_parameters.h"
 
-using namespace dealii;
-using namespace prosup;
-using namespace prosup::mechanics;
-using tests::tell_figure;
-using unloading::ChestCondition;
-
+namespace prosup::tests {
 namespace {
+
+using namespace dealii;
+using namespace prosup::mechanics;
+using unloading::ChestCondition;
 
 const Tensor<1, 3> prone({0., -1., 0.});
 
@@ -72,7 +71,7 @@ struct Breast {
 
   /// Settled positions: x of the body taken as unloaded, or X of it taken as loaded.
   Corners settle(Way way) const {
-    tests::HangingBoxParameters parameters;
+    HangingBoxParameters parameters;
     unloading::Unloading simulation(parameters, *supports, prone);
     if (way == Way::forward)
       simulation.hold_reference();
@@ -126,11 +125,9 @@ int rank() {
   return static_cast<int>(Utilities::MPI::this_mpi_process(MPI_COMM_WORLD));
 }
 
-const char* name_of(Way way) {
+const char* direction_of(Way way) {
   return way == Way::forward ? "forward loading" : "unloading";
 }
-
-} // namespace
 
 struct Case {
   ElementType element;
@@ -139,8 +136,8 @@ struct Case {
 
 std::string scene(const Case& c, Way way) {
   const char* chest = c.chest == ChestCondition::fixed ? "" : ", sliding on the chest";
-  return std::string("breast of the small test data") + chest + ", " + name_of(way) + ", " +
-         tests::name_of(c.element);
+  return std::string("breast of the small test data") + chest + ", " + direction_of(way) + ", " +
+         name_of(c.element);
 }
 
 class SettledState : public ::testing::TestWithParam<Case> {};
@@ -153,10 +150,10 @@ TEST_P(SettledState, ExplicitAgainstNewton) {
     const Corners start = breast.body.gather_at_cells(breast.body.vertex_positions());
     const Corners settled = breast.settle(way), solved = breast.solve(way);
     const double distance = largest_distance(settled, solved);
-    EXPECT_LT(distance, bound) << name_of(way);
+    EXPECT_LT(distance, bound) << direction_of(way);
     const double motion = largest_distance(start, solved);
     if (rank() == 0) {
-      EXPECT_GT(motion, 2.) << name_of(way);
+      EXPECT_GT(motion, 2.) << direction_of(way);
     }
     tell_figure(scene(GetParam(), way) + format(", %u nodes that move up to %.1f mm",
                                                 breast.body.n_global_nodes(), motion),
@@ -179,8 +176,8 @@ TEST_P(SettledState, DoesNotDependOnTheRanks) {
     const Breast alone(element, chest, MPI_COMM_SELF);
     const double by_explicit = largest_distance(settled, alone.settle(way));
     const double by_newton = largest_distance(solved, alone.solve(way));
-    EXPECT_LT(by_explicit, bound) << name_of(way);
-    EXPECT_LT(by_newton, bound) << name_of(way);
+    EXPECT_LT(by_explicit, bound) << direction_of(way);
+    EXPECT_LT(by_newton, bound) << direction_of(way);
     tell_figure(scene(GetParam(), way), format("%u ranks against one", n_ranks),
                 format("explicit %.1e mm, Newton %.1e mm", by_explicit, by_newton),
                 format("%.0e mm", bound));
@@ -195,8 +192,11 @@ INSTANTIATE_TEST_SUITE_P(Breasts, SettledState,
                                            Case{ElementType::nodal_pressure,
                                                 ChestCondition::sliding}),
                          [](const auto& info) {
-                           std::string name = tests::name_of(info.param.element);
+                           std::string name = name_of(info.param.element);
                            std::replace(name.begin(), name.end(), '-', '_');
                            return name + (info.param.chest == ChestCondition::fixed ? "_fixed"
                                                                                     : "_sliding");
                          });
+
+} // namespace
+} // namespace prosup::tests

@@ -7,13 +7,11 @@
 #include "moving_box.h"
 #include "strain_energy.h"
 
-using namespace dealii;
-using namespace prosup;
-using namespace prosup::mechanics;
-using tests::MovingBox;
-using tests::tell_figure;
-
+namespace prosup::tests {
 namespace {
+
+using namespace dealii;
+using namespace prosup::mechanics;
 
 // Half of the earth's, mm/s^2: under all of it the swing turns coarse cells inside out.
 constexpr double gravity = 0.5 * 9810.;
@@ -30,7 +28,7 @@ struct EnergyBalance {
 /// 0.9 of the critical step. E = kinetic + strain - work of gravity, and it starts
 /// at 0; the kinetic energy is the mean of those half a step before and after.
 EnergyBalance swing(ElementType type, unsigned n, unsigned n_steps) {
-  MovingBox box({n, n, n}, type, 0.45, tests::jittered);
+  MovingBox box({n, n, n}, type, 0.45, jittered);
   NodeVector weight;
   box.body.initialize(weight);
   const std::vector<double> volume = box.forces.nodal_volume();
@@ -54,7 +52,7 @@ EnergyBalance swing(ElementType type, unsigned n, unsigned n_steps) {
     box.displacement.update_ghost_values();
     const double work = weight * box.displacement;
     const double strain =
-        tests::strain_energy(box.body, box.material, box.body.vertex_positions(), box.displacement);
+        strain_energy(box.body, box.material, box.body.vertex_positions(), box.displacement);
     balance.deepest = std::max(balance.deepest, box.displacement.linfty_norm());
     if (i % 100 == 0)
       balance.least_step =
@@ -75,7 +73,7 @@ EnergyBalance swing(ElementType type, unsigned n, unsigned n_steps) {
 /// Largest kinetic energy over `n_steps` undamped steps of `safety` times the
 /// reported critical step after a rough start of tiny speed, over the first one.
 double energy_growth(ElementType type, double safety) {
-  MovingBox box({3, 3, 3}, type, 0.45, tests::jittered);
+  MovingBox box({3, 3, 3}, type, 0.45, jittered);
   NodeVector none;
   box.body.initialize(none);
   CentralDifferences integrator(box.supports, box.forces);
@@ -96,17 +94,15 @@ double energy_growth(ElementType type, double safety) {
   return largest / start;
 }
 
-} // namespace
-
 TEST(Vibration, EnergyIsKept) {
-  for (const ElementType type : tests::all_element_types) {
+  for (const ElementType type : all_element_types) {
     const EnergyBalance balance = swing(type, type == ElementType::quadratic ? 2 : 4, 4000);
     constexpr double bound = 0.02;
-    EXPECT_LT(balance.drift, bound) << tests::name_of(type);
-    EXPECT_GT(balance.deepest, 1.) << tests::name_of(type);
-    EXPECT_GT(balance.n_swings, 3.) << tests::name_of(type);
-    EXPECT_GT(balance.least_step, 0.9) << tests::name_of(type); // or 0.9 would not be stable
-    tell_figure("free vibration at 0.9 of the critical step, nu = 0.45, " + tests::name_of(type) +
+    EXPECT_LT(balance.drift, bound) << name_of(type);
+    EXPECT_GT(balance.deepest, 1.) << name_of(type);
+    EXPECT_GT(balance.n_swings, 3.) << name_of(type);
+    EXPECT_GT(balance.least_step, 0.9) << name_of(type); // or 0.9 would not be stable
+    tell_figure("free vibration at 0.9 of the critical step, nu = 0.45, " + name_of(type) +
                     format(", %.0f swings of up to %.1f mm in 4000 steps", balance.n_swings,
                            balance.deepest),
                 "kinetic + strain + potential energy constant",
@@ -118,13 +114,16 @@ TEST(Vibration, EnergyIsKept) {
 }
 
 TEST(Vibration, StableBelowTheCriticalStepAndUnstableAbove) {
-  for (const ElementType type : tests::all_element_types) {
+  for (const ElementType type : all_element_types) {
     const double below = energy_growth(type, 0.99), above = energy_growth(type, 1.1);
-    EXPECT_LT(below, 6.) << tests::name_of(type);
-    EXPECT_GE(above, 1e6) << tests::name_of(type);
-    tell_figure("growth of the energy of rough motion in 3000 steps, " + tests::name_of(type),
+    EXPECT_LT(below, 6.) << name_of(type);
+    EXPECT_GE(above, 1e6) << name_of(type);
+    tell_figure("growth of the energy of rough motion in 3000 steps, " + name_of(type),
                 "0.99 and 1.1 of the reported critical step",
                 format("%.1f and %s", below, above < 1e6 ? format("%.1f", above).c_str() : "> 1e6"),
                 "< 6 and > 1e6");
   }
 }
+
+} // namespace
+} // namespace prosup::tests

@@ -6,13 +6,11 @@
 #include "temporary_folder.h"
 #include "text_file.h"
 
-namespace prosup {
+namespace prosup::tests {
 namespace {
 
-using testing::contents;
-
 TEST(ChildProcess, LeavesItsOutputInFilesAndItsExitCode) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const ChildResult result =
       run_child({"sh", "-c", "echo said; echo wrong >&2; exit 3"}, folder / "log");
   EXPECT_EQ(result.exit_code, 3);
@@ -21,20 +19,20 @@ TEST(ChildProcess, LeavesItsOutputInFilesAndItsExitCode) {
 }
 
 TEST(ChildProcess, GetsItsArgumentsAsTheyAre) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   run_child({"printf", "%s|", "two words", "$HOME", "*", "a;b"}, folder / "log");
   EXPECT_EQ(contents(folder / "log.out"), "two words|$HOME|*|a;b|");
 }
 
 TEST(ChildProcess, IsTimedAsAWhole) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const double seconds = run_child({"sleep", "0.3"}, folder / "log").wall_seconds;
   EXPECT_GE(seconds, 0.3);
   EXPECT_LT(seconds, 3.); // a loaded machine takes longer to start it
 }
 
 TEST(ChildProcess, TellsItsPeakMemory) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   constexpr double mebibytes = 200.;
   const ChildResult result =
       run_child({"dd", "if=/dev/zero", "of=/dev/null", "bs=200M", "count=3"}, folder / "log");
@@ -44,12 +42,12 @@ TEST(ChildProcess, TellsItsPeakMemory) {
 }
 
 TEST(ChildProcess, TellsTheSignalThatEndedIt) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   EXPECT_EQ(run_child({"sh", "-c", "kill -9 $$"}, folder / "log").exit_code, 128 + 9);
 }
 
 TEST(ChildProcess, HasTheVariablesItIsGivenAndNoneThatWereSetLater) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   ::setenv("PROSUP_SET_LATER", "yes", 1);
   run_child({"sh", "-c", "echo $PROSUP_GIVEN,$PROSUP_SET_LATER,${PATH:+path}"}, folder / "log",
             {"PROSUP_GIVEN=3"});
@@ -57,12 +55,12 @@ TEST(ChildProcess, HasTheVariablesItIsGivenAndNoneThatWereSetLater) {
 }
 
 TEST(ChildProcess, ThatDoesNotExistIsAnError) {
-  const testing::TemporaryFolder folder;
-  testing::expect_error([&] { run_child({"no-such-program"}, folder / "log"); },
-                        {"no-such-program", "installed"});
+  const TemporaryFolder folder;
+  expect_error([&] { run_child({"no-such-program"}, folder / "log"); },
+               {"no-such-program", "installed"});
   EXPECT_TRUE(find_program("no-such-program").empty());
   EXPECT_FALSE(find_program("sh").empty());
 }
 
 } // namespace
-} // namespace prosup
+} // namespace prosup::tests

@@ -4,6 +4,7 @@
 
 #include <string>
 
+namespace prosup::tests {
 namespace {
 
 int rank() {
@@ -17,8 +18,6 @@ int n_ranks() {
   MPI_Comm_size(MPI_COMM_WORLD, &n);
   return n;
 }
-
-} // namespace
 
 TEST(Collective, AllRanksThrowWhatOneThrows) {
   const int last = n_ranks() - 1;
@@ -51,3 +50,6 @@ TEST(Collective, TransferCopiesBetweenTwoRanks) {
     EXPECT_EQ(values, (std::vector<double>{1., 2., 3.}));
   }
 }
+
+} // namespace
+} // namespace prosup::tests

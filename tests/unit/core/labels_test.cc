@@ -5,7 +5,7 @@
 #include "expect_error.h"
 #include "prosup/core/parameters.h"
 
-namespace prosup {
+namespace prosup::tests {
 namespace {
 
 /// The labels that overrides from the command line give.
@@ -31,17 +31,17 @@ TEST(Labels, NeedNoGland) {
 }
 
 TEST(Labels, ThatMakeNoSenseAreErrors) {
-  testing::expect_error([] { read({"Labels/Chest=2"}); }, {"label 2", "Labels/Tissues"});
-  testing::expect_error([] { read({"Labels/Tissues=2, 3, 2"}); }, {"label 2", "once"});
-  testing::expect_error([] { read({"Labels/Chest=0"}); }, {"Labels/Chest", "0 is air"});
-  testing::expect_error([] { read({"Labels/Tissues=0, 3"}); }, {"Labels/Tissues", "0 is air"});
-  testing::expect_error([] { read({"Labels/Gland=4"}); }, {"Labels/Gland", "4"});
+  expect_error([] { read({"Labels/Chest=2"}); }, {"label 2", "Labels/Tissues"});
+  expect_error([] { read({"Labels/Tissues=2, 3, 2"}); }, {"label 2", "once"});
+  expect_error([] { read({"Labels/Chest=0"}); }, {"Labels/Chest", "0 is air"});
+  expect_error([] { read({"Labels/Tissues=0, 3"}); }, {"Labels/Tissues", "0 is air"});
+  expect_error([] { read({"Labels/Gland=4"}); }, {"Labels/Gland", "4"});
   Labels labels;
   labels.tissues = {labels.gland};
-  testing::expect_error([&] { labels.fat(); }, {"Labels/Tissues", "fat"});
+  expect_error([&] { labels.fat(); }, {"Labels/Tissues", "fat"});
   labels.tissues = {};
-  testing::expect_error([&] { labels.check(); }, {"Labels/Tissues", "empty"});
+  expect_error([&] { labels.check(); }, {"Labels/Tissues", "empty"});
 }
 
 } // namespace
-} // namespace prosup
+} // namespace prosup::tests

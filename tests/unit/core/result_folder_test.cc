@@ -7,20 +7,19 @@
 #include "prosup/core/error.h"
 #include "temporary_folder.h"
 
+namespace prosup::tests {
+namespace {
+
 namespace fs = std::filesystem;
 using prosup::Error;
 using prosup::ResultFolder;
-
-namespace {
 
 std::size_t n_entries(const fs::path& folder) {
   return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), {}));
 }
 
-} // namespace
-
 TEST(ResultFolder, AppearsOnlyWhenCommitted) {
-  const prosup::testing::TemporaryFolder here;
+  const TemporaryFolder here;
   const fs::path target = here / "result";
   {
     ResultFolder folder(target);
@@ -36,7 +35,7 @@ TEST(ResultFolder, AppearsOnlyWhenCommitted) {
 }
 
 TEST(ResultFolder, ReplacesAnEarlierResultAndNothingElse) {
-  const prosup::testing::TemporaryFolder here;
+  const TemporaryFolder here;
   const fs::path target = here / "result/"; // with a slash at the end
   for (const char* name : {"first", "second"}) {
     ResultFolder folder(target);
@@ -54,3 +53,6 @@ TEST(ResultFolder, ReplacesAnEarlierResultAndNothingElse) {
   std::ofstream(here / "file") << "x";
   EXPECT_THROW(ResultFolder(here / "file"), Error);
 }
+
+} // namespace
+} // namespace prosup::tests

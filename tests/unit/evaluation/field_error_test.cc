@@ -4,8 +4,10 @@
 
 #include "expect_error.h"
 
-namespace prosup::evaluation {
+namespace prosup::tests {
 namespace {
+
+using namespace prosup::evaluation;
 
 using dealii::Tensor;
 
@@ -79,10 +81,10 @@ TEST(FieldJacobian, TellsWhereAMapFolds) {
 
 TEST(FieldJacobian, NeedsAMaskOnItsVoxels) {
   image::LabelImage other(image::grid_around(Point<3>(), Point<3>(5., 5., 5.), 1., 0.), 1);
-  testing::expect_error([&] { field_jacobian(affine({}, {}), other); }, {"voxels", "mask"});
-  testing::expect_error([&] { field_jacobian(affine({}, {}), image::LabelImage(grid())); },
-                        {"mask", "no voxel"});
+  expect_error([&] { field_jacobian(affine({}, {}), other); }, {"voxels", "mask"});
+  expect_error([&] { field_jacobian(affine({}, {}), image::LabelImage(grid())); },
+               {"mask", "no voxel"});
 }
 
 } // namespace
-} // namespace prosup::evaluation
+} // namespace prosup::tests

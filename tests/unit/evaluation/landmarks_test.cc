@@ -7,16 +7,18 @@
 #include "temporary_folder.h"
 #include "text_file.h"
 
-namespace prosup::evaluation {
+namespace prosup::tests {
 namespace {
+
+using namespace prosup::evaluation;
 
 const std::string header = "id,prone_x,prone_y,prone_z,supine_x,supine_y,supine_z";
 
 TEST(Landmarks, AreReadWithUnloadedPosition) {
-  const testing::TemporaryFolder folder;
-  const auto landmarks = read_landmarks(
-      testing::text_file(folder / "l.csv", header + ",unloaded_x,unloaded_y,unloaded_z\n"
-                                                    "7,1,2,3,4,5,6,-7,-8e0,-9.5\n"));
+  const TemporaryFolder folder;
+  const auto landmarks =
+      read_landmarks(text_file(folder / "l.csv", header + ",unloaded_x,unloaded_y,unloaded_z\n"
+                                                          "7,1,2,3,4,5,6,-7,-8e0,-9.5\n"));
   ASSERT_EQ(landmarks.size(), 1u);
   EXPECT_EQ(landmarks[0].id, "7");
   EXPECT_EQ(landmarks[0].prone, Point<3>(1., 2., 3.));
@@ -25,7 +27,7 @@ TEST(Landmarks, AreReadWithUnloadedPosition) {
 }
 
 TEST(Landmarks, AreReadAsTheyWereWritten) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   std::vector<Landmark> landmarks{{"a,b", {1., 2., 3.}, {-4., 5.25, 6.}, Point<3>(7., 8., -9.125)},
                                   {"c", {1., 1., 1.}, {2., 2., 2.}, Point<3>(3., 3., 3.)}};
   write_landmarks(landmarks, folder / "l.csv");
@@ -43,11 +45,11 @@ TEST(Landmarks, AreReadAsTheyWereWritten) {
 // A spreadsheet's file: byte order mark, carriage returns, spaces, another order
 // of columns, an extra column, blank lines.
 TEST(Landmarks, OrderAndTypographyAreFree) {
-  const testing::TemporaryFolder folder;
-  const auto landmarks = read_landmarks(testing::text_file(
-      folder / "l.csv",
-      "\xEF\xBB\xBFsupine_x,supine_y,supine_z, note ,prone_z,prone_y,prone_x,id\r\n\r\n"
-      "4,5,6,\"nipple, left\",3,2,+1, N \r\n"));
+  const TemporaryFolder folder;
+  const auto landmarks = read_landmarks(
+      text_file(folder / "l.csv",
+                "\xEF\xBB\xBFsupine_x,supine_y,supine_z, note ,prone_z,prone_y,prone_x,id\r\n\r\n"
+                "4,5,6,\"nipple, left\",3,2,+1, N \r\n"));
   ASSERT_EQ(landmarks.size(), 1u);
   EXPECT_EQ(landmarks[0].id, "N");
   EXPECT_EQ(landmarks[0].prone, Point<3>(1., 2., 3.));
@@ -63,11 +65,11 @@ struct BadFile {
 class BadLandmarks : public ::testing::TestWithParam<BadFile> {};
 
 TEST_P(BadLandmarks, AreRefusedWithFileAndLine) {
-  const testing::TemporaryFolder folder;
-  const auto file = testing::text_file(folder / "l.csv", GetParam().text);
+  const TemporaryFolder folder;
+  const auto file = text_file(folder / "l.csv", GetParam().text);
   auto parts = GetParam().message;
   parts.push_back("l.csv");
-  testing::expect_error([&] { read_landmarks(file); }, parts);
+  expect_error([&] { read_landmarks(file); }, parts);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -89,9 +91,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{header + "\n,1,2,3,4,5,6\n", {"line 2", "empty"}}));
 
 TEST(Landmarks, MissingFileIsNamed) {
-  testing::expect_error([] { read_landmarks("no/such/landmarks.csv"); },
-                        {"no/such/landmarks.csv", "cannot be read"});
+  expect_error([] { read_landmarks("no/such/landmarks.csv"); },
+               {"no/such/landmarks.csv", "cannot be read"});
 }
 
 } // namespace
-} // namespace prosup::evaluation
+} // namespace prosup::tests

@@ -9,11 +9,10 @@
 #include "temporary_folder.h"
 #include "text_file.h"
 
-using namespace prosup;
-using namespace prosup::evaluation;
-namespace support = prosup::testing;
-
+namespace prosup::tests {
 namespace {
+
+using namespace prosup::evaluation;
 
 Landmark landmark(const std::string& id, const Point<3>& prone, const Point<3>& supine) {
   return {id, prone, supine, {}};
@@ -29,8 +28,6 @@ const Observer second{"second",
                        landmark("a", Point<3>(0, 0, 0), Point<3>(3, 4, 0)),
                        landmark("b", Point<3>(0, 0, 0), Point<3>(0, 17, 0)),
                        landmark("d", Point<3>(0, 0, 0), Point<3>(0, 0, 0))}};
-
-} // namespace
 
 TEST(Observers, DistancesBeforeAndAfterExclusion) {
   const ObserverStudy study({first, second}, 10.);
@@ -49,14 +46,11 @@ TEST(Observers, DistancesBeforeAndAfterExclusion) {
 }
 
 TEST(Observers, ErrorsOfEachAndOfAllTogether) {
-  const mesh::TetMesh box =
-      support::box_of_tets(Point<3>(-20., -20., -20.), Point<3>(20., 20., 20.), 2);
-  const support::AffineMap identity{
-      dealii::Tensor<2, 3>({{1., 0., 0.}, {0., 1., 0.}, {0., 0., 1.}}), {}};
-  support::AffineMap shift = identity; // unloaded supine = supine - (1, 0, 0)
+  const mesh::TetMesh box = box_of_tets(Point<3>(-20., -20., -20.), Point<3>(20., 20., 20.), 2);
+  const AffineMap identity{dealii::Tensor<2, 3>({{1., 0., 0.}, {0., 1., 0.}, {0., 0., 1.}}), {}};
+  AffineMap shift = identity; // unloaded supine = supine - (1, 0, 0)
   shift.b[0] = 1.;
-  const PointMapper prone(support::affine_mesh(box, identity)),
-      supine(support::affine_mesh(box, shift));
+  const PointMapper prone(affine_mesh(box, identity)), supine(affine_mesh(box, shift));
   const auto rows = ObserverStudy({first, second}, 10.).rows(prone, supine);
   ASSERT_EQ(rows.size(), 6u);
   EXPECT_NEAR(rows[0].initial.mean, 3., 1e-9); // of 3, 5 and 1
@@ -72,10 +66,10 @@ TEST(Observers, ErrorsOfEachAndOfAllTogether) {
 }
 
 TEST(Observers, ControlObserverHasTheProneLandmarksOfTheFirst) {
-  const support::TemporaryFolder folder;
+  const TemporaryFolder folder;
   for (const char* header : {"id,x,y,z", "id,supine_x,supine_y,supine_z"}) {
     const auto file =
-        support::text_file(folder / "control.csv", std::string(header) + "\nc,1,1,5\na,3,0,2\n");
+        text_file(folder / "control.csv", std::string(header) + "\nc,1,1,5\na,3,0,2\n");
     const Observer control = read_control_observer(file, first);
     EXPECT_EQ(control.name, "control");
     ASSERT_EQ(control.landmarks.size(), 2u);
@@ -87,9 +81,9 @@ TEST(Observers, ControlObserverHasTheProneLandmarksOfTheFirst) {
 TEST(Observers, WhereAllAreExcludedThereIsNoFigure) {
   const ObserverStudy study({first, second}, 1.);
   EXPECT_EQ(study.outliers().size(), 3u);
-  const support::TemporaryFolder folder;
+  const TemporaryFolder folder;
   write_observer_tables({}, study.distances(), folder / "out.csv");
-  EXPECT_EQ(support::contents(folder / "out.csv"),
+  EXPECT_EQ(contents(folder / "out.csv"),
             "quantity,observer,landmarks,n,mean_mm,std_mm,max_mm\n"
             "observer_distance_supine,first - second,all,3,7.3333,4.1633,12.0000\n"
             "observer_distance_supine,first - second,reliable,0,,,\n");
@@ -98,11 +92,13 @@ TEST(Observers, WhereAllAreExcludedThereIsNoFigure) {
 }
 
 TEST(Observers, MistakesAreNamed) {
-  const support::TemporaryFolder folder;
-  const auto file = support::text_file(folder / "control.csv", "id,x,y,z\ne,1,1,5\n");
-  support::expect_error([&] { read_control_observer(file, first); },
-                        {"'e'", "control.csv", "'first'"});
-  support::expect_error([] { ObserverStudy({}, 10.); }, {"No observer"});
+  const TemporaryFolder folder;
+  const auto file = text_file(folder / "control.csv", "id,x,y,z\ne,1,1,5\n");
+  expect_error([&] { read_control_observer(file, first); }, {"'e'", "control.csv", "'first'"});
+  expect_error([] { ObserverStudy({}, 10.); }, {"No observer"});
   const Observer other{"other", {landmark("z", Point<3>(), Point<3>())}};
-  support::expect_error([&] { ObserverStudy({first, other}, 10.); }, {"same id"});
+  expect_error([&] { ObserverStudy({first, other}, 10.); }, {"same id"});
 }
+
+} // namespace
+} // namespace prosup::tests

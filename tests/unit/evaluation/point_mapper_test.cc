@@ -10,10 +10,10 @@
 #include "affine_mesh.h"
 #include "expect_error.h"
 
-namespace prosup::evaluation {
+namespace prosup::tests {
 namespace {
 
-using testing::AffineMap;
+using namespace prosup::evaluation;
 
 const Point<3> low(-20., -15., -10.), high(20., 25., 30.);
 
@@ -29,7 +29,7 @@ std::vector<Point<3>> random_points(const Point<3>& from, const Point<3>& to, un
 
 /// A mesh whose deformation is not affine and bends its surface.
 mesh::UnloadedMesh bent_mesh() {
-  mesh::UnloadedMesh bent{testing::box_of_tets(low, high, 8), {}};
+  mesh::UnloadedMesh bent{box_of_tets(low, high, 8), {}};
   for (const auto& p : bent.mesh.points)
     bent.unloaded.push_back(
         p + dealii::Tensor<1, 3>(
@@ -38,8 +38,8 @@ mesh::UnloadedMesh bent_mesh() {
 }
 
 TEST(PointMapper, IsExactForAnAffineMap) {
-  const AffineMap affine = testing::stretch_and_shear();
-  const PointMapper mapper(testing::affine_mesh(testing::box_of_tets(low, high, 6), affine));
+  const AffineMap affine = stretch_and_shear();
+  const PointMapper mapper(affine_mesh(box_of_tets(low, high, 6), affine));
   for (const auto& X : random_points(low, high, 2000)) {
     EXPECT_LT(mapper.to_loaded(X).distance(affine(X)), 1e-10);
     EXPECT_LT(mapper.to_unloaded(affine(X)).distance(X), 1e-10);
@@ -48,9 +48,9 @@ TEST(PointMapper, IsExactForAnAffineMap) {
 }
 
 TEST(PointMapper, NodesEdgesAndFacesAreFound) {
-  const AffineMap affine = testing::stretch_and_shear();
-  const auto box = testing::box_of_tets(low, high, 4, 0.);
-  const PointMapper mapper(testing::affine_mesh(box, affine));
+  const AffineMap affine = stretch_and_shear();
+  const auto box = box_of_tets(low, high, 4, 0.);
+  const PointMapper mapper(affine_mesh(box, affine));
   for (const auto& cell : box.cells)
     for (const Point<3>& X :
          {box.points[cell[0]],
@@ -88,8 +88,8 @@ TEST(PointMapper, ContinuesWithoutAJumpAcrossTheSurface) {
 
 // Above the middle of a flat side the closest point is the foot of the normal.
 TEST(PointMapper, OutsideMovesWithTheClosestPoint) {
-  const AffineMap affine = testing::stretch_and_shear();
-  const PointMapper mapper(testing::affine_mesh(testing::box_of_tets(low, high, 4), affine));
+  const AffineMap affine = stretch_and_shear();
+  const PointMapper mapper(affine_mesh(box_of_tets(low, high, 4), affine));
   const Point<3> foot(high[0], 3., 7.), above(high[0] + 12., 3., 7.);
   const MappedPoint mapped = mapper.map(above, State::unloaded);
   EXPECT_NEAR(mapped.distance_outside, 12., 1e-9);
@@ -130,14 +130,13 @@ TEST(PointMapper, RefusesWhatItCannotMap) {
   auto mesh = bent_mesh();
   const double not_a_number = std::numeric_limits<double>::quiet_NaN();
   const PointMapper mapper(mesh);
-  testing::expect_error([&] { mapper.to_loaded(Point<3>(0., not_a_number, 0.)); },
-                        {"not a finite number"});
-  testing::expect_error([] { PointMapper(mesh::UnloadedMesh{}); }, {"no cells"});
+  expect_error([&] { mapper.to_loaded(Point<3>(0., not_a_number, 0.)); }, {"not a finite number"});
+  expect_error([] { PointMapper(mesh::UnloadedMesh{}); }, {"no cells"});
   mesh.unloaded[5][1] = not_a_number;
-  testing::expect_error([&] { PointMapper{mesh}; }, {"not finite"});
+  expect_error([&] { PointMapper{mesh}; }, {"not finite"});
   mesh.unloaded.pop_back();
-  testing::expect_error([&] { PointMapper{mesh}; }, {"729 nodes", "728 unloaded"});
+  expect_error([&] { PointMapper{mesh}; }, {"729 nodes", "728 unloaded"});
 }
 
 } // namespace
-} // namespace prosup::evaluation
+} // namespace prosup::tests

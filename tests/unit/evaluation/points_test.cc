@@ -8,8 +8,10 @@
 #include "temporary_folder.h"
 #include "text_file.h"
 
-namespace prosup::evaluation {
+namespace prosup::tests {
 namespace {
+
+using namespace prosup::evaluation;
 
 std::string fcsv(const std::string& system) {
   return "# Markups fiducial file version = 4.11\n# CoordinateSystem = " + system +
@@ -35,26 +37,23 @@ void expect_two_points(const std::vector<NamedPoint>& points, const std::string&
 }
 
 TEST(Points, CsvInAnyColumnOrder) {
-  const testing::TemporaryFolder folder;
-  expect_two_points(
-      read_points(testing::text_file(folder / "p.csv", "z,id,y,x\n3,a,-2,1.5\n6,b,5,4\n")), "a",
-      "b", 1.);
+  const TemporaryFolder folder;
+  expect_two_points(read_points(text_file(folder / "p.csv", "z,id,y,x\n3,a,-2,1.5\n6,b,5,4\n")),
+                    "a", "b", 1.);
 }
 
 TEST(Points, FcsvInItsCoordinateSystem) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   for (const std::string lps : {"LPS", "1"})
-    expect_two_points(read_points(testing::text_file(folder / "p.fcsv", fcsv(lps))), "F,1", "2",
-                      1.);
+    expect_two_points(read_points(text_file(folder / "p.fcsv", fcsv(lps))), "F,1", "2", 1.);
   for (const std::string ras : {"RAS", "0"})
-    expect_two_points(read_points(testing::text_file(folder / "p.fcsv", fcsv(ras))), "F,1", "2",
-                      -1.);
+    expect_two_points(read_points(text_file(folder / "p.fcsv", fcsv(ras))), "F,1", "2", -1.);
 }
 
 TEST(Points, MrkJsonInItsCoordinateSystem) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto read = [&](const std::string& entries) {
-    return read_points(testing::text_file(folder / "p.mrk.json", mrk_json(entries)));
+    return read_points(text_file(folder / "p.mrk.json", mrk_json(entries)));
   };
   expect_two_points(read(R"("coordinateSystem": "LPS", "coordinateUnits": "mm", )"), "F-1", "3",
                     1.);
@@ -63,7 +62,7 @@ TEST(Points, MrkJsonInItsCoordinateSystem) {
 }
 
 TEST(Points, AreWrittenAndReadBack) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto file = folder / "out.csv";
   write_points({{"a", {1.25, -2.000001, 3e2}}, {"say \"b, c\"", {0., 0., 1e-6}}}, file);
   const auto points = read_points(file);
@@ -74,15 +73,15 @@ TEST(Points, AreWrittenAndReadBack) {
 }
 
 TEST(Points, ThatAreNotFiniteAreNotWritten) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto file = folder / "out.csv";
-  testing::expect_error(
+  expect_error(
       [&] {
         write_points({{"q", {0., std::numeric_limits<double>::quiet_NaN(), 0.}}}, file);
       },
       {"point 'q'", "not a finite number"});
   EXPECT_FALSE(std::filesystem::exists(file));
-  testing::expect_error([&] { write_points({}, folder / "no/out.csv"); }, {"cannot be written"});
+  expect_error([&] { write_points({}, folder / "no/out.csv"); }, {"cannot be written"});
 }
 
 struct BadFile {
@@ -93,11 +92,11 @@ struct BadFile {
 class BadPoints : public ::testing::TestWithParam<BadFile> {};
 
 TEST_P(BadPoints, AreRefusedWithTheirFile) {
-  const testing::TemporaryFolder folder;
-  const auto file = testing::text_file(folder / GetParam().name, GetParam().text);
+  const TemporaryFolder folder;
+  const auto file = text_file(folder / GetParam().name, GetParam().text);
   auto parts = GetParam().message;
   parts.push_back(GetParam().name);
-  testing::expect_error([&] { read_points(file); }, parts);
+  expect_error([&] { read_points(file); }, parts);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -123,4 +122,4 @@ INSTANTIATE_TEST_SUITE_P(
                 {"not a markups file"}}));
 
 } // namespace
-} // namespace prosup::evaluation
+} // namespace prosup::tests

@@ -9,8 +9,10 @@
 #include <limits>
 #include <random>
 
-namespace prosup::evaluation {
+namespace prosup::tests {
 namespace {
+
+using namespace prosup::evaluation;
 
 /// A wavy sheet of triangles, two of them flat.
 struct Sheet {
@@ -121,4 +123,4 @@ TEST(SurfaceLocator, GradientsAreThoseOfTheClosestPoint) {
 }
 
 } // namespace
-} // namespace prosup::evaluation
+} // namespace prosup::tests

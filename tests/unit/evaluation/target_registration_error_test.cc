@@ -11,13 +11,14 @@
 #include "temporary_folder.h"
 #include "text_file.h"
 
-namespace prosup::evaluation {
+namespace prosup::tests {
 namespace {
+
+using namespace prosup::evaluation;
 
 const Point<3> low(-20., -20., -20.), high(20., 20., 20.);
 
-std::vector<Landmark> landmarks_of(const testing::AffineMap& prone,
-                                   const testing::AffineMap& supine,
+std::vector<Landmark> landmarks_of(const AffineMap& prone, const AffineMap& supine,
                                    const std::vector<double>& errors) {
   std::vector<Landmark> landmarks;
   for (std::size_t i = 0; i < errors.size(); ++i) {
@@ -42,8 +43,8 @@ TEST(TargetRegistrationError, StatisticsOfKnownDistances) {
 }
 
 TEST(TargetRegistrationError, RefusesNothingAndNotANumber) {
-  testing::expect_error([] { statistics({}); }, {"at least one landmark"});
-  testing::expect_error(
+  expect_error([] { statistics({}); }, {"at least one landmark"});
+  expect_error(
       [] {
         statistics({1., std::numeric_limits<double>::quiet_NaN()});
       },
@@ -53,11 +54,10 @@ TEST(TargetRegistrationError, RefusesNothingAndNotANumber) {
 // Both breasts are deformed alike from the unloaded state in which the pairs
 // are apart by known distances, so unloading must find just these.
 TEST(TargetRegistrationError, IsTheDistanceInTheUnloadedConfiguration) {
-  const auto prone_map = testing::stretch_and_shear(),
-             supine_map = testing::other_stretch_and_shear();
-  const auto box = testing::box_of_tets(low, high, 4);
-  const PointMapper prone(testing::affine_mesh(box, prone_map));
-  const PointMapper supine(testing::affine_mesh(box, supine_map));
+  const auto prone_map = stretch_and_shear(), supine_map = other_stretch_and_shear();
+  const auto box = box_of_tets(low, high, 4);
+  const PointMapper prone(affine_mesh(box, prone_map));
+  const PointMapper supine(affine_mesh(box, supine_map));
   const auto landmarks = landmarks_of(prone_map, supine_map, {0., 1., 2., 3., 4.});
   const ErrorStatistics error = unloaded_error(landmarks, prone, supine);
   EXPECT_NEAR(error.mean, 2., 1e-9);
@@ -79,16 +79,15 @@ TEST(TargetRegistrationError, TableHasTheStepsOfThePaper) {
 
 TEST(LandmarksCsv, HoldsBothUnloadedPositionsAndTheirDistance) {
   const auto identity =
-      testing::AffineMap{dealii::Tensor<2, 3>({{1., 0., 0.}, {0., 1., 0.}, {0., 0., 1.}}), {}};
-  const testing::AffineMap shift{identity.A, dealii::Tensor<1, 3>({1., 0., 0.})};
-  const auto box = testing::box_of_tets(low, high, 2);
-  const PointMapper prone(testing::affine_mesh(box, identity)),
-      supine(testing::affine_mesh(box, shift));
-  const testing::TemporaryFolder folder;
+      AffineMap{dealii::Tensor<2, 3>({{1., 0., 0.}, {0., 1., 0.}, {0., 0., 1.}}), {}};
+  const AffineMap shift{identity.A, dealii::Tensor<1, 3>({1., 0., 0.})};
+  const auto box = box_of_tets(low, high, 2);
+  const PointMapper prone(affine_mesh(box, identity)), supine(affine_mesh(box, shift));
+  const TemporaryFolder folder;
   const auto file = folder / "landmarks.csv";
   const std::vector<Landmark> landmarks = {{"a,b", {1., 2., 3.}, {4., 2., 7.}, {}}};
   write_landmarks(map_landmarks(landmarks, prone, supine), file);
-  EXPECT_EQ(testing::contents(file),
+  EXPECT_EQ(contents(file),
             "id,prone_x,prone_y,prone_z,supine_x,supine_y,supine_z,"
             "unloaded_from_prone_x,unloaded_from_prone_y,unloaded_from_prone_z,"
             "unloaded_from_supine_x,unloaded_from_supine_y,unloaded_from_supine_z,tre_mm\n"
@@ -98,14 +97,14 @@ TEST(LandmarksCsv, HoldsBothUnloadedPositionsAndTheirDistance) {
 }
 
 TEST(LandmarksCsv, RefusesNotANumber) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   MappedLandmark bad;
   bad.landmark.id = "L7";
   bad.from_prone.position[1] = std::numeric_limits<double>::infinity();
   const auto file = folder / "landmarks.csv";
-  testing::expect_error([&] { write_landmarks({bad}, file); }, {"landmark 'L7'", "not a finite"});
+  expect_error([&] { write_landmarks({bad}, file); }, {"landmark 'L7'", "not a finite"});
   EXPECT_FALSE(std::filesystem::exists(file));
 }
 
 } // namespace
-} // namespace prosup::evaluation
+} // namespace prosup::tests

@@ -6,11 +6,10 @@
 #include "prosup/fdm/fdm_unloading.h"
 #include "voxel_box.h"
 
-using namespace dealii;
-using namespace prosup;
-using tests::VoxelBox;
-
+namespace prosup::tests {
 namespace {
+
+using namespace dealii;
 
 constexpr double depth = 20.; // mm
 const VoxelBox layer{1., 80., depth, 8.};
@@ -113,3 +112,4 @@ TEST(FdmSliding, LayerHangsOnItsSprings) {
 }
 
 } // namespace
+} // namespace prosup::tests

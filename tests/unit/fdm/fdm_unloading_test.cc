@@ -9,11 +9,10 @@
 #include "expect_error.h"
 #include "voxel_box.h"
 
-using namespace dealii;
-using namespace prosup;
-using tests::VoxelBox;
-
+namespace prosup::tests {
 namespace {
+
+using namespace dealii;
 
 const Tensor<1, 3> down({0., -standard_gravity, 0.});
 
@@ -63,8 +62,8 @@ TEST(FdmUnloading, BoxComesBackThroughVoxels) {
   parameters.spacing = 1.;
   parameters.padding = 2.;
   const double mu = 500. / 2.9;
-  const tests::BoxExperiment result = tests::box_experiment(
-      parameters, {0.5, 15., 15., 6.}, material(mu, 9. * mu), down, MPI_COMM_WORLD);
+  const BoxExperiment result =
+      box_experiment(parameters, {0.5, 15., 15., 6.}, material(mu, 9. * mu), down, MPI_COMM_WORLD);
   EXPECT_TRUE(result.loading.converged) << result.loading.explanation;
   EXPECT_TRUE(result.unloading.converged) << result.unloading.explanation;
   EXPECT_GT(result.moves, 1.5);
@@ -154,14 +153,13 @@ TEST(FdmUnloading, RefusesWhatItCannotSimulate) {
   const auto make = [&](const fdm::Material& tissues) {
     fdm::FdmUnloading(parameters, labels, 1, tissues, down, {}, MPI_COMM_WORLD);
   };
-  prosup::testing::expect_error([&] { make(material(300., 0.)); }, {"both have to be positive"});
+  expect_error([&] { make(material(300., 0.)); }, {"both have to be positive"});
   fdm::Material other;
   other.tissues[7] = {300., 2700.};
-  prosup::testing::expect_error([&] { make(other); },
-                                {"No voxel of body has the label of a tissue"});
+  expect_error([&] { make(other); }, {"No voxel of body has the label of a tissue"});
   for (auto& label : labels.values)
     label = label == 1 ? 0 : label;
-  prosup::testing::expect_error([&] { make(material(300., 2700.)); }, {"Nothing holds body"});
+  expect_error([&] { make(material(300., 2700.)); }, {"Nothing holds body"});
 }
 
 TEST(FdmUnloading, DivergenceIsNeverASuccess) {
@@ -186,3 +184,4 @@ TEST(FdmUnloading, DivergenceIsNeverASuccess) {
 }
 
 } // namespace
+} // namespace prosup::tests

@@ -9,10 +9,11 @@
 
 #include <deal.II/base/tensor.h>
 
+namespace prosup::tests {
+namespace {
+
 using namespace dealii;
 using namespace prosup::fdm::kernel;
-
-namespace {
 
 /// A problem that is known everywhere: u_k,I, mu and lambda as functions of X.
 struct Problem {
@@ -156,3 +157,4 @@ TEST(StencilKernel, AllInstructionSetsAndPrecisionsAgree) {
 }
 
 } // namespace
+} // namespace prosup::tests

@@ -4,10 +4,10 @@
 #include "prosup/image/contrast.h"
 #include "test_grids.h"
 
-namespace prosup::image {
+namespace prosup::tests {
 namespace {
 
-using prosup::testing::expect_error;
+using namespace prosup::image;
 
 constexpr TissueIntensities mr{-0.3, 0.9, 0.2}, ct{-0.5, 0.3, 0.8};
 
@@ -76,4 +76,4 @@ TEST(ConvertContrast, SaysWhatIsWrong) {
 }
 
 } // namespace
-} // namespace prosup::image
+} // namespace prosup::tests

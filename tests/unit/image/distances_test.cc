@@ -4,10 +4,10 @@
 #include "prosup/image/filters.h"
 #include "test_grids.h"
 
-namespace prosup::image {
+namespace prosup::tests {
 namespace {
 
-using prosup::testing::expect_error;
+using namespace prosup::image;
 
 TEST(SignedDistance, OfASphere) {
   VoxelGrid grid = oblique_grid();
@@ -83,4 +83,4 @@ TEST(ExtendFromNearest, NeedsSomethingKnownOnItsOwnGrid) {
 }
 
 } // namespace
-} // namespace prosup::image
+} // namespace prosup::tests

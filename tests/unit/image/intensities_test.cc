@@ -7,10 +7,10 @@
 #include "prosup/image/filters.h"
 #include "test_grids.h"
 
-namespace prosup::image {
+namespace prosup::tests {
 namespace {
 
-using prosup::testing::expect_error;
+using namespace prosup::image;
 
 TEST(RobustRange, IsThePercentilesInsideTheMask) {
   ScalarImage image(cube_grid(10), 1e6f);
@@ -54,4 +54,4 @@ TEST(Rescale, MapsTheRangeToOneAndClampsOutliers) {
 }
 
 } // namespace
-} // namespace prosup::image
+} // namespace prosup::tests

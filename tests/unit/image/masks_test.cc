@@ -5,8 +5,10 @@
 #include "prosup/image/filters.h"
 #include "test_grids.h"
 
-namespace prosup::image {
+namespace prosup::tests {
 namespace {
+
+using namespace prosup::image;
 
 std::size_t n_inside(const LabelImage& mask) {
   return std::size_t(std::count(mask.values.begin(), mask.values.end(), 1));
@@ -68,4 +70,4 @@ TEST(FillHoles, KeepsFullAndEmptyMasks) {
 }
 
 } // namespace
-} // namespace prosup::image
+} // namespace prosup::tests

@@ -8,10 +8,10 @@
 #include "temporary_folder.h"
 #include "test_grids.h"
 
-namespace prosup::image {
+namespace prosup::tests {
 namespace {
 
-using prosup::testing::expect_error;
+using namespace prosup::image;
 
 class Reading : public ::testing::Test {
 protected:
@@ -24,7 +24,7 @@ protected:
     return file;
   }
 
-  prosup::testing::TemporaryFolder folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(Reading, NamesAMissingFile) {
@@ -146,4 +146,4 @@ TEST_F(Reading, RefusesValuesThatAreNoLabels) {
 }
 
 } // namespace
-} // namespace prosup::image
+} // namespace prosup::tests

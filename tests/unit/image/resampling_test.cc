@@ -4,8 +4,10 @@
 #include "prosup/image/filters.h"
 #include "test_grids.h"
 
-namespace prosup::image {
+namespace prosup::tests {
 namespace {
+
+using namespace prosup::image;
 
 /// Outer corners of the first and last voxel.
 std::array<Point<3>, 2> field_of_view(const VoxelGrid& grid) {
@@ -71,8 +73,7 @@ TEST(ResampleIsotropic, CopiesAnImageThatHasTheSpacing) {
 }
 
 TEST(ResampleIsotropic, RefusesSpacingThatIsNotPositive) {
-  prosup::testing::expect_error([] { resample_isotropic(ScalarImage(cube_grid(4)), 0.); },
-                                {"spacing", "0 mm"});
+  expect_error([] { resample_isotropic(ScalarImage(cube_grid(4)), 0.); }, {"spacing", "0 mm"});
 }
 
 double volume(const LabelImage& labels, std::uint8_t label) {
@@ -141,4 +142,4 @@ TEST(Warp, PullsFromTheDisplacedPosition) {
 }
 
 } // namespace
-} // namespace prosup::image
+} // namespace prosup::tests

@@ -4,9 +4,10 @@
 
 #include <cmath>
 
-using namespace prosup::image;
-
+namespace prosup::tests {
 namespace {
+
+using namespace prosup::image;
 
 /// A quarter turn about z through (1, 0, 0), and up by 5 mm.
 RigidTransform quarter_turn() {
@@ -16,8 +17,6 @@ RigidTransform quarter_turn() {
   transform.translation = Tensor<1, 3>({0., 0., 5.});
   return transform;
 }
-
-} // namespace
 
 TEST(RigidTransform, TurnsAboutItsCentre) {
   const RigidTransform turn = quarter_turn();
@@ -52,3 +51,6 @@ TEST(RigidTransform, MovesTheVoxelsOfAGrid) {
   const RigidTransform turn = quarter_turn();
   EXPECT_LT(turn(grid).physical(2., 3., 4.).distance(turn(grid.physical(2., 3., 4.))), 1e-12);
 }
+
+} // namespace
+} // namespace prosup::tests

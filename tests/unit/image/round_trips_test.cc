@@ -4,14 +4,16 @@
 #include "temporary_folder.h"
 #include "test_grids.h"
 
-namespace prosup::image {
+namespace prosup::tests {
 namespace {
+
+using namespace prosup::image;
 
 class RoundTrip : public ::testing::TestWithParam<const char*> {
 protected:
   std::filesystem::path file() const { return folder_ / (std::string("image") + GetParam()); }
 
-  prosup::testing::TemporaryFolder folder_;
+  TemporaryFolder folder_;
 };
 
 // NIfTI and NRRD headers hold the geometry as float or in about six digits.
@@ -75,4 +77,4 @@ INSTANTIATE_TEST_SUITE_P(Formats, DisplacementRoundTrip, ::testing::Values(".nrr
                          [](const auto& info) { return std::string(info.param + 1); });
 
 } // namespace
-} // namespace prosup::image
+} // namespace prosup::tests

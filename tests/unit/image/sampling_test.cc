@@ -6,8 +6,10 @@
 
 #include "test_grids.h"
 
-namespace prosup::image {
+namespace prosup::tests {
 namespace {
+
+using namespace prosup::image;
 
 TEST(Sampler, HasTheVoxelValuesAtVoxelCentres) {
   const ScalarImage image = random_image(oblique_grid());
@@ -111,4 +113,4 @@ TEST(NearestLabel, IsTheVoxelsLabelInsideAndZeroOutside) {
 }
 
 } // namespace
-} // namespace prosup::image
+} // namespace prosup::tests

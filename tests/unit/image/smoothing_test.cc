@@ -6,8 +6,10 @@
 #include "prosup/image/filters.h"
 #include "test_grids.h"
 
-namespace prosup::image {
+namespace prosup::tests {
 namespace {
+
+using namespace prosup::image;
 
 TEST(GaussianSmooth, TurnsAPointIntoAGaussianInMillimetres) {
   VoxelGrid grid = cube_grid(41);
@@ -55,8 +57,8 @@ TEST(GaussianSmooth, KeepsConstantsUpToTheBorderAndTakesThinImages) {
 TEST(GaussianSmooth, CopiesAtZeroAndRefusesNegativeWidth) {
   const ScalarImage image = random_image(oblique_grid());
   EXPECT_EQ(gaussian_smooth(image, 0.).values, image.values);
-  prosup::testing::expect_error([&] { gaussian_smooth(image, -1.); }, {"-1 mm"});
+  expect_error([&] { gaussian_smooth(image, -1.); }, {"-1 mm"});
 }
 
 } // namespace
-} // namespace prosup::image
+} // namespace prosup::tests

@@ -6,7 +6,13 @@
 
 #include "prosup/image/voxel_image.h"
 
-namespace prosup::image {
+namespace prosup::tests {
+
+using dealii::Point;
+using dealii::Tensor;
+using image::LabelImage;
+using image::ScalarImage;
+using image::VoxelGrid;
 
 /// Anisotropic grid with the direction cosines of a RAS NIfTI file.
 inline VoxelGrid flipped_grid() {
@@ -66,6 +72,6 @@ inline LabelImage ball(const VoxelGrid& grid, const Point<3>& centre, double rad
   return mask;
 }
 
-} // namespace prosup::image
+} // namespace prosup::tests
 
 #endif

@@ -2,8 +2,10 @@
 
 #include "test_grids.h"
 
-namespace prosup::image {
+namespace prosup::tests {
 namespace {
+
+using namespace prosup::image;
 
 TEST(VoxelGrid, FlippedDirectionRunsBackwardsInXAndY) {
   const VoxelGrid grid = flipped_grid();
@@ -51,4 +53,4 @@ TEST(VoxelGrid, CoincidesWithinToleranceOnly) {
 }
 
 } // namespace
-} // namespace prosup::image
+} // namespace prosup::tests

@@ -7,11 +7,10 @@
 #include "temporary_folder.h"
 #include "test_grids.h"
 
-namespace prosup::image {
+namespace prosup::tests {
 namespace {
 
-using prosup::testing::expect_error;
-using prosup::testing::TemporaryFolder;
+using namespace prosup::image;
 
 TEST(Writing, RefusesUnknownEndingsAndFolders) {
   const TemporaryFolder folder;
@@ -71,4 +70,4 @@ TEST(LabelChecks, SayWhichLabelsArePresent) {
 }
 
 } // namespace
-} // namespace prosup::image
+} // namespace prosup::tests

@@ -7,10 +7,11 @@
 
 #include "box.h"
 
+namespace prosup::tests {
+namespace {
+
 using namespace dealii;
 using namespace prosup::mechanics;
-
-namespace {
 
 StableMass mass_of(const Supports& supports, const InternalForce& kernel, const NodeVector& u,
                    double scaled_fraction = 0.) {
@@ -21,7 +22,7 @@ StableMass mass_of(const Supports& supports, const InternalForce& kernel, const 
 /// A free block that starts with a rough velocity field; returns the largest
 /// kinetic energy over 2000 undamped steps, relative to the first.
 double energy_growth(double safety) {
-  const auto mesh = prosup::tests::make_box(MPI_COMM_WORLD, {4, 4, 4}, {20., 25., 30.});
+  const auto mesh = make_box(MPI_COMM_WORLD, {4, 4, 4}, {20., 25., 30.});
   const Body body(*mesh);
   InternalForce kernel(body);
   kernel.set_material({lame_parameters(300., 0.45)});
@@ -49,8 +50,6 @@ double energy_growth(double safety) {
   return largest / start;
 }
 
-} // namespace
-
 TEST(CentralDifferences, StableAtTheEstimatedCriticalStep) {
   EXPECT_LT(energy_growth(0.999), 4.);
 }
@@ -60,10 +59,9 @@ TEST(CentralDifferences, UnstableTenPercentAboveTheEstimate) {
 }
 
 TEST(CentralDifferences, MassScalingOnlyRaisesMasses) {
-  const auto mesh =
-      prosup::tests::make_box(MPI_COMM_WORLD, {4, 4, 4}, {20., 25., 30.}, [](const Point<3>& p) {
-        return Point<3>(p[0] * p[0] / 20., p[1], p[2]);
-      });
+  const auto mesh = make_box(MPI_COMM_WORLD, {4, 4, 4}, {20., 25., 30.}, [](const Point<3>& p) {
+    return Point<3>(p[0] * p[0] / 20., p[1], p[2]);
+  });
   const Body body(*mesh);
   InternalForce kernel(body);
   kernel.set_material({lame_parameters(300., 0.45)});
@@ -82,7 +80,7 @@ TEST(CentralDifferences, MassScalingOnlyRaisesMasses) {
 }
 
 TEST(CentralDifferences, FallsFreelyAndFixedNodesStay) {
-  const auto mesh = prosup::tests::make_box(MPI_COMM_WORLD, {2, 2, 2}, {10., 10., 10.});
+  const auto mesh = make_box(MPI_COMM_WORLD, {2, 2, 2}, {10., 10., 10.});
   const Body body(*mesh);
   InternalForce kernel(body);
   kernel.set_material({lame_parameters(300., 0.3)});
@@ -112,3 +110,6 @@ TEST(CentralDifferences, FallsFreelyAndFixedNodesStay) {
   for (unsigned node = 0; node < body.n_owned_nodes(); ++node)
     EXPECT_EQ(u.local_element(3 * node + 1) == 0., bool(surface.fixed()[node]));
 }
+
+} // namespace
+} // namespace prosup::tests

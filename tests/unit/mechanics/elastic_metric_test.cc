@@ -6,18 +6,18 @@
 
 #include "box.h"
 
-using namespace dealii;
-using namespace prosup;
-using namespace prosup::mechanics;
-
+namespace prosup::tests {
 namespace {
+
+using namespace dealii;
+using namespace prosup::mechanics;
 
 const Point<3> size(30., 20., 25.);
 constexpr LameParameters lame{300., 1200.};
 
 struct Box {
   explicit Box(const Supports::BoundaryIds& fixed)
-      : mesh(tests::make_box(MPI_COMM_WORLD, {4, 3, 4}, size)), body(*mesh), supports(body, fixed) {
+      : mesh(make_box(MPI_COMM_WORLD, {4, 3, 4}, size)), body(*mesh), supports(body, fixed) {
     unloaded = body.vertex_positions();
     unloaded.update_ghost_values();
     supports.set_reference(unloaded);
@@ -46,8 +46,6 @@ struct Box {
 Tensor<1, 3> wavy(const Tensor<1, 3>& x) {
   return Tensor<1, 3>({std::sin(0.3 * x[1]), std::cos(0.2 * x[2] + x[0]), 0.1 * x[0]});
 }
-
-} // namespace
 
 TEST(ElasticMetric, EnergyOfAHomogeneousStrain) {
   const Box box({});
@@ -114,3 +112,6 @@ TEST(ElasticMetric, AddedStiffnessActsWhereItIs) {
   found -= u;
   EXPECT_LT(found.linfty_norm(), 1e-7);
 }
+
+} // namespace
+} // namespace prosup::tests

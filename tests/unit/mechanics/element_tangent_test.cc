@@ -6,11 +6,11 @@
 
 #include "prosup/core/tet_topology.h"
 
-using namespace dealii;
-using namespace prosup;
-using namespace prosup::mechanics;
-
+namespace prosup::tests {
 namespace {
+
+using namespace dealii;
+using namespace prosup::mechanics;
 
 const PointMaterial tissue{200., 700., 90.};
 
@@ -90,8 +90,6 @@ protected:
   }
 };
 
-} // namespace
-
 TEST_P(ElementTangent, ForceIsTheDerivativeOfTheEnergy) {
   const ElementVector force = force_of(GetParam(), tetrahedron);
   double scale = 0.;
@@ -137,3 +135,6 @@ TEST_P(ElementTangent, InvertedElementsAreSeen) {
 
 INSTANTIATE_TEST_SUITE_P(Elements, ElementTangent,
                          ::testing::Values(ElementType::linear, ElementType::quadratic));
+
+} // namespace
+} // namespace prosup::tests

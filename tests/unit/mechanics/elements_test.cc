@@ -8,10 +8,11 @@
 #include "prosup/mechanics/element/internal_force.h"
 #include "strain_energy.h"
 
+namespace prosup::tests {
+namespace {
+
 using namespace dealii;
 using namespace prosup::mechanics;
-
-namespace {
 
 const std::vector<Element> double_elements{
     {ElementType::linear, Precision::double_precision},
@@ -26,18 +27,18 @@ std::string name(const Element& element) {
 /// deal.II's own shape functions.
 struct Block {
   Element element;
-  std::unique_ptr<prosup::tests::Distributed> mesh;
+  std::unique_ptr<Distributed> mesh;
   Body body;
   InternalForce kernel;
   std::vector<LameParameters> material;
 
   explicit Block(const Element& choice)
       : element(choice),
-        mesh(prosup::tests::make_box(MPI_COMM_WORLD, {3, 4, 3}, {30., 40., 35.},
-                                     [](const Point<3>& p) {
-                                       return p + Tensor<1, 3>({2. * std::sin(0.1 * p[1]),
-                                                                std::cos(0.1 * p[2]), 0.05 * p[0]});
-                                     })),
+        mesh(make_box(MPI_COMM_WORLD, {3, 4, 3}, {30., 40., 35.},
+                      [](const Point<3>& p) {
+                        return p + Tensor<1, 3>({2. * std::sin(0.1 * p[1]), std::cos(0.1 * p[2]),
+                                                 0.05 * p[0]});
+                      })),
         body(*mesh, choice), kernel(body) {
     for (unsigned e = 0; e < body.n_elements(); ++e) {
       const Tensor<1, 3> corner = node_value(body.vertex_positions(), body.element_nodes(e)[0]);
@@ -68,7 +69,7 @@ struct Block {
   }
 
   double energy(const NodeVector& u) const {
-    return prosup::tests::strain_energy(body, material, body.vertex_positions(), u);
+    return strain_energy(body, material, body.vertex_positions(), u);
   }
 };
 
@@ -80,8 +81,6 @@ Tensor<1, 3> wave(const Tensor<1, 3>& X) {
 Tensor<1, 3> other_wave(const Tensor<1, 3>& X) {
   return Tensor<1, 3>({std::cos(0.2 * X[0]), std::sin(0.15 * X[1] - 0.1 * X[2]), 0.02 * X[1]});
 }
-
-} // namespace
 
 TEST(Elements, ForceIsTheDerivativeOfTheEnergy) {
   for (const Element& element : double_elements) {
@@ -179,3 +178,6 @@ TEST(Elements, VolumesAndMasses) {
     EXPECT_NEAR(weight, 42000., 300.) << name(element);
   }
 }
+
+} // namespace
+} // namespace prosup::tests

@@ -7,11 +7,11 @@
 
 #include "box.h"
 
-using namespace dealii;
-using namespace prosup;
-using namespace prosup::mechanics;
-
+namespace prosup::tests {
 namespace {
+
+using namespace dealii;
+using namespace prosup::mechanics;
 
 const Tensor<1, 3> weight({0.3, -9.81, 0.5});
 constexpr double fraction = 0.7;
@@ -38,7 +38,7 @@ struct Spring : NodalForce {
 class EquilibriumOfABox : public ::testing::TestWithParam<ElementType> {
 protected:
   EquilibriumOfABox()
-      : mesh(tests::make_box(MPI_COMM_WORLD, {2, 3, 2}, {4., 6., 5.})),
+      : mesh(make_box(MPI_COMM_WORLD, {2, 3, 2}, {4., 6., 5.})),
         body(*mesh, Element{GetParam(), Precision::double_precision}), equations(body) {
     body.initialize(nodal);
     nodal = 3.;
@@ -136,7 +136,7 @@ protected:
     EXPECT_LT(difference.linfty_norm(), 1e-7 * expected.linfty_norm());
   }
 
-  std::unique_ptr<tests::Distributed> mesh;
+  std::unique_ptr<Distributed> mesh;
   Body body;
   Equilibrium equations;
   std::vector<LameParameters> material;
@@ -183,8 +183,6 @@ double nodal_pressure_energy(const Body& body, const std::vector<LameParameters>
     energy += lambda[a] / 2. * std::pow(std::log(v[a] / V[a]), 2);
   return Utilities::MPI::sum(energy, MPI_COMM_WORLD);
 }
-
-} // namespace
 
 TEST_P(EquilibriumOfABox, TangentByLoadedPositionsEqualsDifferencesAndIsSymmetric) {
   expect_tangent(Unknown::loaded);
@@ -242,3 +240,6 @@ TEST_P(EquilibriumOfABox, AveragedPressuresAreTheDerivativeOfTheirEnergy) {
 INSTANTIATE_TEST_SUITE_P(Elements, EquilibriumOfABox,
                          ::testing::Values(ElementType::linear, ElementType::nodal_pressure,
                                            ElementType::quadratic));
+
+} // namespace
+} // namespace prosup::tests

@@ -5,9 +5,10 @@
 
 #include "mechanics/element/element_kernel.h"
 
-using namespace prosup::mechanics::kernel;
-
+namespace prosup::tests {
 namespace {
+
+using namespace prosup::mechanics::kernel;
 
 // Eight elements of ten nodes each, near to a unit element, in aligned memory.
 template <typename Real>
@@ -80,8 +81,6 @@ void expect_all_sets_agree(double tolerance) {
   }
 }
 
-} // namespace
-
 TEST(InstructionSets, AgreeInDoublePrecision) {
   expect_all_sets_agree<double>(1e-13);
 }
@@ -89,3 +88,6 @@ TEST(InstructionSets, AgreeInDoublePrecision) {
 TEST(InstructionSets, AgreeInSinglePrecision) {
   expect_all_sets_agree<float>(1e-5);
 }
+
+} // namespace
+} // namespace prosup::tests

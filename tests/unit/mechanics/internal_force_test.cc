@@ -8,15 +8,15 @@
 
 #include "box.h"
 
+namespace prosup::tests {
+namespace {
+
 using namespace dealii;
 using namespace prosup::mechanics;
 
-namespace {
-
 /// A box mesh with its kernel, and nodal fields given as functions of X.
 struct Fixture {
-  std::unique_ptr<prosup::tests::Distributed> mesh =
-      prosup::tests::make_box(MPI_COMM_WORLD, {3, 4, 5}, {30., 40., 50.});
+  std::unique_ptr<Distributed> mesh = make_box(MPI_COMM_WORLD, {3, 4, 5}, {30., 40., 50.});
   Body body{*mesh};
   InternalForce kernel{body};
   std::vector<LameParameters> material{lame_parameters(300., 0.45)};
@@ -90,8 +90,6 @@ double relative_difference(const NodeVector& a, const NodeVector& b) {
   difference -= b;
   return difference.l2_norm() / b.l2_norm();
 }
-
-} // namespace
 
 TEST(InternalForce, RigidMotionGivesNoForce) {
   Fixture f;
@@ -191,3 +189,6 @@ TEST(Body, BoundaryNodesAndGatheredCells) {
     volume += std::abs(cross_product_3d(c[1] - c[0], c[2] - c[0]) * (c[3] - c[0])) / 6.;
   EXPECT_NEAR(volume, 60000., 1e-8);
 }
+
+} // namespace
+} // namespace prosup::tests

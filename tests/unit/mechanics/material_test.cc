@@ -4,10 +4,11 @@
 
 #include "prosup/core/error.h"
 
+namespace prosup::tests {
+namespace {
+
 using namespace prosup::mechanics;
 using dealii::Tensor;
-
-namespace {
 
 Tensor<2, 3> some_deformation() {
   Tensor<2, 3> F;
@@ -17,8 +18,6 @@ Tensor<2, 3> some_deformation() {
       F[i][j] = values[i][j];
   return F;
 }
-
-} // namespace
 
 TEST(NeoHookean, StressIsTheDerivativeOfTheEnergy) {
   const LameParameters material = lame_parameters(325., 0.45);
@@ -75,3 +74,6 @@ TEST(TissueMaterial, OneMaterialGivesOneEntryAndRatiosGiveOneEach) {
   EXPECT_NEAR(stiffer[1].lambda, 9. * 450., 1e-9);
   EXPECT_THROW(material.parameters_of({4}, {100., 0.4, 1.}), prosup::Error);
 }
+
+} // namespace
+} // namespace prosup::tests

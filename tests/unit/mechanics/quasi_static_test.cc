@@ -8,16 +8,15 @@
 #include "expect_error.h"
 #include "static_box.h"
 
-using namespace dealii;
-using namespace prosup;
-using namespace prosup::mechanics;
-
+namespace prosup::tests {
 namespace {
+
+using namespace dealii;
+using namespace prosup::mechanics;
 
 const Tensor<1, 3> weight({0., -9.81, 0.}); // g/(mm^2 s^2), of 1 g/cm^3
 
-using Box = tests::StaticBox;
-using tests::largest_difference;
+using Box = StaticBox;
 
 /// Springs of stiffness k (g/s^2) that hold the nodes marked at where they were
 /// unloaded.
@@ -35,8 +34,6 @@ struct Springs : NodalForce {
     return true;
   }
 };
-
-} // namespace
 
 // nu = 0: the column hangs in one dimension, P = mu (F - 1/F) = rho g s at the
 // distance s from its free end, hence F = (P + sqrt(P^2 + 4 mu^2)) / (2 mu).
@@ -199,8 +196,7 @@ TEST(QuasiStatic, HalvesLoadStepsThatFail) {
 }
 
 TEST(QuasiStatic, RefusesWhatItCannotSolve) {
-  using prosup::testing::expect_error;
-  const auto mesh = tests::make_box(MPI_COMM_WORLD, {2, 2, 2}, {10., 10., 10.});
+  const auto mesh = make_box(MPI_COMM_WORLD, {2, 2, 2}, {10., 10., 10.});
   const Body body(*mesh);
   QuasiStaticParameters parameters;
   QuasiStatic solver(parameters, body);
@@ -215,3 +211,6 @@ TEST(QuasiStatic, RefusesWhatItCannotSolve) {
   parameters.linear_algebra = "abacus";
   expect_error(load, {"abacus", "petsc-gamg"});
 }
+
+} // namespace
+} // namespace prosup::tests

@@ -6,11 +6,11 @@
 
 #include "box.h"
 
-using namespace dealii;
-using namespace prosup;
-using namespace prosup::mechanics;
-
+namespace prosup::tests {
 namespace {
+
+using namespace dealii;
+using namespace prosup::mechanics;
 
 /// Spheres about a centre.
 class Spheres : public Surface {
@@ -32,7 +32,7 @@ const Point<3> size({20., 20., 20.});
 /// A box that slides on spheres below its face at low y and has springs there.
 struct SupportedBox {
   explicit SupportedBox(ContactLaw law = ContactLaw::tied)
-      : mesh(tests::make_box(MPI_COMM_WORLD, {3, 3, 3}, size)), body(*mesh), supports(body) {
+      : mesh(make_box(MPI_COMM_WORLD, {3, 3, 3}, size)), body(*mesh), supports(body) {
     supports.slide_on(std::make_shared<Spheres>(Point<3>(10., -60., 10.)), {2}, law);
     supports.add_springs({2}, 8.);
     for (NodeVector* vector : {&unloaded, &u, &v, &f})
@@ -52,7 +52,7 @@ struct SupportedBox {
     u.update_ghost_values();
   }
 
-  std::unique_ptr<tests::Distributed> mesh;
+  std::unique_ptr<Distributed> mesh;
   Body body;
   Supports supports;
   NodeVector unloaded, u, v, f;
@@ -66,8 +66,6 @@ std::vector<unsigned> sliding_nodes(const Body& body) {
       nodes.push_back(node);
   return nodes;
 }
-
-} // namespace
 
 TEST(Supports, ProjectionLeavesNodesOnTheirLevelSetsWithTangentialMotion) {
   SupportedBox box;
@@ -188,3 +186,6 @@ TEST(Supports, NodalForceHasTheTangentsOfItsDerivatives) {
     }
   }
 }
+
+} // namespace
+} // namespace prosup::tests

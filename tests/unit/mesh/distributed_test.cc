@@ -7,15 +7,17 @@
 #include "box_of_tets.h"
 #include "expect_error.h"
 
-namespace prosup::mesh {
+namespace prosup::tests {
 namespace {
+
+using namespace prosup::mesh;
 
 using dealii::Utilities::MPI::n_mpi_processes;
 using dealii::Utilities::MPI::this_mpi_process;
 
 /// A box whose low x face is chest wall, high x face cut plane, and the rest skin.
 TetMesh box_with_parts() {
-  TetMesh mesh = prosup::testing::box_of_tets(Point<3>(), Point<3>(30., 20., 20.), 4);
+  TetMesh mesh = box_of_tets(Point<3>(), Point<3>(30., 20., 20.), 4);
   for (const auto& cell : mesh.cells)
     for (unsigned a = 0; a < 4; ++a) {
       const std::array<unsigned, 3> face{cell[(a + 1) % 4], cell[(a + 2) % 4], cell[(a + 3) % 4]};
@@ -80,7 +82,7 @@ TEST(Distributed, WorksOnPartOfTheRanks) {
 
 TEST(Distributed, RefusesBrokenMeshesOnAllRanks) {
   const auto refused = [](const TetMesh& mesh, const std::string& reason) {
-    prosup::testing::expect_error([&] { make_distributed(mesh, MPI_COMM_WORLD); }, {reason});
+    expect_error([&] { make_distributed(mesh, MPI_COMM_WORLD); }, {reason});
   };
   refused(TetMesh(), "needs cells");
   TetMesh inverted = box_with_parts();
@@ -92,4 +94,4 @@ TEST(Distributed, RefusesBrokenMeshesOnAllRanks) {
 }
 
 } // namespace
-} // namespace prosup::mesh
+} // namespace prosup::tests

@@ -5,8 +5,10 @@
 #include "prosup/mesh/mask_mesher.h"
 #include "test_labels.h"
 
-namespace prosup::mesh {
+namespace prosup::tests {
 namespace {
+
+using namespace prosup::mesh;
 
 // A program that uses gmsh itself finds its model, its options and gmsh still there.
 TEST(GmshHost, KeepsItsModelAndOptions) {
@@ -43,4 +45,4 @@ TEST(GmshHost, KeepsItsModelAndOptions) {
 }
 
 } // namespace
-} // namespace prosup::mesh
+} // namespace prosup::tests

@@ -7,8 +7,10 @@
 #include "prosup/mesh/quality.h"
 #include "test_labels.h"
 
-namespace prosup::mesh {
+namespace prosup::tests {
 namespace {
+
+using namespace prosup::mesh;
 
 using dealii::Tensor;
 
@@ -78,24 +80,24 @@ TEST(MaskMesherErrors, SayWhatIsMissing) {
   Labels label_values;
   MaskMesher mesher(label_values);
   const image::LabelImage empty(centred_cube(10), 1);
-  testing::expect_error([&] { mesher.run(empty); }, {"2, 3", "Labels/Tissues"});
+  expect_error([&] { mesher.run(empty); }, {"2, 3", "Labels/Tissues"});
   label_values.tissues = {7};
   const auto ball = ball_labels(centred_cube(20), 8.);
-  testing::expect_error([&] { mesher.run(ball); }, {"Labels/Gland", "3"});
+  expect_error([&] { mesher.run(ball); }, {"Labels/Gland", "3"});
   label_values.gland = 0;
-  testing::expect_error([&] { mesher.run(ball); }, {"7"});
+  expect_error([&] { mesher.run(ball); }, {"7"});
 }
 
 TEST(MaskMesherErrors, BreastMustNotBeSmallerThanAnEdge) {
   const Labels label_values;
   MaskMesher mesher(label_values);
   mesher.edge_length = 20.;
-  testing::expect_error([&] { mesher.run(ball_labels(centred_cube(20), 5.)); },
-                        {"20 mm", "smaller \"Meshing/Edge length\""});
+  expect_error([&] { mesher.run(ball_labels(centred_cube(20), 5.)); },
+               {"20 mm", "smaller \"Meshing/Edge length\""});
   image::LabelImage one_voxel(centred_cube(20));
   one_voxel(10, 10, 10) = 2;
-  testing::expect_error([&] { mesher.run(one_voxel); }, {"0.001 ml"});
+  expect_error([&] { mesher.run(one_voxel); }, {"0.001 ml"});
 }
 
 } // namespace
-} // namespace prosup::mesh
+} // namespace prosup::tests

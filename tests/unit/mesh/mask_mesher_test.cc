@@ -8,8 +8,10 @@
 #include "prosup/mesh/quality.h"
 #include "test_labels.h"
 
-namespace prosup::mesh {
+namespace prosup::tests {
 namespace {
+
+using namespace prosup::mesh;
 
 TetMesh mesh_of(const image::LabelImage& labels, double edge_length) {
   const Labels label_values;
@@ -174,4 +176,4 @@ TEST(MaskMesher, TissueIsSampledFromTheLabels) {
 }
 
 } // namespace
-} // namespace prosup::mesh
+} // namespace prosup::tests

@@ -5,8 +5,10 @@
 #include "box_of_tets.h"
 #include "expect_error.h"
 
-namespace prosup::mesh {
+namespace prosup::tests {
 namespace {
+
+using namespace prosup::mesh;
 
 using Corners = std::array<Point<3>, 4>;
 
@@ -33,7 +35,7 @@ TEST(Quality, HeightAndVolumeOfKnownTetrahedra) {
 }
 
 TEST(Quality, OfABoxOfEqualTets) {
-  const TetMesh box = prosup::testing::box_of_tets(Point<3>(), Point<3>(6., 6., 6.), 3, 0.);
+  const TetMesh box = box_of_tets(Point<3>(), Point<3>(6., 6., 6.), 3, 0.);
   const MeshQuality quality = measure_quality(box);
   EXPECT_EQ(quality.n_cells, 162u);
   EXPECT_EQ(quality.n_nodes, 64u);
@@ -47,8 +49,8 @@ TEST(Quality, OfABoxOfEqualTets) {
 }
 
 TEST(Quality, OfAMeshWithoutCellsIsAnError) {
-  prosup::testing::expect_error([] { measure_quality(TetMesh()); }, {"without cells"});
+  expect_error([] { measure_quality(TetMesh()); }, {"without cells"});
 }
 
 } // namespace
-} // namespace prosup::mesh
+} // namespace prosup::tests

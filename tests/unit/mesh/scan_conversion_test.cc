@@ -6,7 +6,7 @@
 
 #include "box_of_tets.h"
 
-namespace prosup {
+namespace prosup::tests {
 namespace {
 
 using dealii::Point;
@@ -53,7 +53,7 @@ class ScanConversion : public ::testing::TestWithParam<double> {};
 TEST_P(ScanConversion, CoversABoxWithoutGaps) {
   const VoxelGrid grid = oblique_grid(GetParam());
   const Point<3> low(-7.1, -6.3, -8.2), high(8.3, 9.1, 7.7);
-  const std::vector<int> visits = count_visits(grid, testing::box_of_tets(low, high, 5));
+  const std::vector<int> visits = count_visits(grid, box_of_tets(low, high, 5));
   std::size_t n_inside = 0;
   for (std::size_t k = 0; k < grid.size[2]; ++k)
     for (std::size_t j = 0; j < grid.size[1]; ++j)
@@ -70,7 +70,7 @@ TEST_P(ScanConversion, CoversABoxWithoutGaps) {
 
 TEST_P(ScanConversion, WeightsReproduceTheVoxelCentre) {
   const VoxelGrid grid = oblique_grid(GetParam());
-  const auto box = testing::box_of_tets(Point<3>(-7.1, -6.3, -8.2), Point<3>(8.3, 9.1, 7.7), 3);
+  const auto box = box_of_tets(Point<3>(-7.1, -6.3, -8.2), Point<3>(8.3, 9.1, 7.7), 3);
   double largest_error = 0.;
   std::size_t n_visits = 0;
   for (std::size_t cell = 0; cell < box.cells.size(); ++cell) {
@@ -95,7 +95,7 @@ INSTANTIATE_TEST_SUITE_P(RightAndLeftHanded, ScanConversion, ::testing::Values(1
 TEST(ScanConversionOnFaces, CentresOnSharedFacesAreVisited) {
   VoxelGrid grid;
   grid.size = {9, 9, 9};
-  const auto box = testing::box_of_tets(Point<3>(0., 0., 0.), Point<3>(8., 8., 8.), 4, 0.);
+  const auto box = box_of_tets(Point<3>(0., 0., 0.), Point<3>(8., 8., 8.), 4, 0.);
   for (const int n : count_visits(grid, box))
     ASSERT_GE(n, 1);
 }
@@ -104,7 +104,7 @@ TEST(ScanConversionOnFaces, ThinTetsLeaveNoGap) {
   VoxelGrid grid;
   grid.size = {7, 7, 7};
   // Two layers share the plane z = 3, on which centres lie; the upper is 1e-5 thick.
-  mesh::TetMesh box = testing::box_of_tets(Point<3>(-1, -1, -1), Point<3>(7, 7, 7), 2, 0.);
+  mesh::TetMesh box = box_of_tets(Point<3>(-1, -1, -1), Point<3>(7, 7, 7), 2, 0.);
   for (auto& p : box.points)
     p[2] = p[2] == 3. ? 3. : p[2] == 7. ? 3. + 1e-5 : p[2];
   const std::vector<int> visits = count_visits(grid, box);
@@ -147,4 +147,4 @@ TEST(ScanConversionOfBadTets, PartsOutsideTheGridAreClipped) {
 }
 
 } // namespace
-} // namespace prosup
+} // namespace prosup::tests

@@ -7,7 +7,12 @@
 #include "prosup/image/voxel_image.h"
 #include "prosup/mesh/tet_mesh.h"
 
-namespace prosup::mesh {
+namespace prosup::tests {
+
+using dealii::Point;
+using mesh::BoundaryFace;
+using mesh::BoundaryPart;
+using mesh::TetMesh;
 
 /// A grid of `size` voxels, its centre at the physical origin.
 inline image::VoxelGrid centred_grid(const std::array<std::size_t, 3>& size,
@@ -63,6 +68,6 @@ inline double area_of(const TetMesh& mesh, BoundaryPart part) {
   return area;
 }
 
-} // namespace prosup::mesh
+} // namespace prosup::tests
 
 #endif

@@ -8,8 +8,10 @@
 #include "temporary_folder.h"
 #include "text_file.h"
 
-namespace prosup::output {
+namespace prosup::tests {
 namespace {
+
+using namespace prosup::output;
 
 ComparisonRow row(const std::string& group, const std::string& name, double seconds, double error) {
   ComparisonRow result;
@@ -41,13 +43,13 @@ std::size_t count(const std::string& text, const std::string& what) {
 }
 
 TEST(Comparison, HasOneRowPerRunAndTellsWhatFailed) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   write_comparison(comparison(), folder / "");
-  const std::string csv = testing::contents(folder / "study.csv");
+  const std::string csv = contents(folder / "study.csv");
   EXPECT_EQ(count(csv, "\n"), 5u);
   EXPECT_NE(csv.find("\"FE\",\"10\",1,ok,1,1,1,,,2,0.1,4,6,"), std::string::npos) << csv;
   EXPECT_NE(csv.find("\"It said \"\"no\"\", and stopped.\""), std::string::npos) << csv;
-  const std::string table = testing::contents(folder / "study.md");
+  const std::string table = contents(folder / "study.md");
   EXPECT_NE(table.find("| FE | 5 | 1 | 10.0 | 0.500 | 1.00 | 1.50 | ok |"), std::string::npos)
       << table;
   EXPECT_NE(table.find("- other/bad, 1: It said"), std::string::npos) << table;
@@ -55,9 +57,9 @@ TEST(Comparison, HasOneRowPerRunAndTellsWhatFailed) {
 }
 
 TEST(Comparison, PictureHasASignPerRunAndTheFrontOfTheBest) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   write_comparison(comparison(), folder / "");
-  const std::string picture = testing::contents(folder / "study.svg");
+  const std::string picture = contents(folder / "study.svg");
   EXPECT_EQ(count(picture, "<circle"), 3u);  // two runs, one beside the name
   EXPECT_EQ(count(picture, "<polygon"), 2u); // one run, one beside the name
   EXPECT_NE(picture.find("a &amp; b"), std::string::npos);
@@ -71,25 +73,25 @@ TEST(Comparison, PictureHasASignPerRunAndTheFrontOfTheBest) {
 
 TEST(Comparison, PictureNamesTheQuantityOfTheXAxisOrWhatIsAskedFor) {
   Comparison named = comparison();
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   write_comparison(named, folder / "");
-  EXPECT_NE(testing::contents(folder / "study.svg").find(">wall time, s<"), std::string::npos);
+  EXPECT_NE(contents(folder / "study.svg").find(">wall time, s<"), std::string::npos);
   named.x_label = "edge length, mm";
   write_comparison(named, folder / "");
-  const std::string picture = testing::contents(folder / "study.svg");
+  const std::string picture = contents(folder / "study.svg");
   EXPECT_NE(picture.find(">edge length, mm<"), std::string::npos);
   EXPECT_EQ(picture.find(">wall time, s<"), std::string::npos);
 }
 
 TEST(Comparison, RefusesWhatIsNotFinite) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   Comparison bad = comparison();
   bad.rows[1].min_jacobian = NAN;
-  testing::expect_error([&] { write_comparison(bad, folder / ""); }, {"min_jacobian", "FE/5"});
+  expect_error([&] { write_comparison(bad, folder / ""); }, {"min_jacobian", "FE/5"});
 }
 
 TEST(Comparison, RefusesAnAxisThatIsNotKnown) {
-  testing::expect_error([] { comparison_quantity("beauty"); }, {"beauty", "mean", "cells"});
+  expect_error([] { comparison_quantity("beauty"); }, {"beauty", "mean", "cells"});
 }
 
 // Meshing takes 0.5 n, solving 2 n^1.5 r^-0.8, the rest 4 + 0.1 n; memory is 100 r + 3 n.
@@ -114,4 +116,4 @@ TEST(CostModel, FindsTheLawThatMadeTheRows) {
 }
 
 } // namespace
-} // namespace prosup::output
+} // namespace prosup::tests

@@ -5,8 +5,10 @@
 #include "temporary_folder.h"
 #include "text_file.h"
 
-namespace prosup::output {
+namespace prosup::tests {
 namespace {
+
+using namespace prosup::output;
 
 std::vector<ConvergenceEntry> run() {
   ConvergenceEntry first;
@@ -25,9 +27,9 @@ std::vector<ConvergenceEntry> run() {
 }
 
 TEST(Convergence, HasOneRowPerState) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   write_convergence(run(), folder / "convergence.csv");
-  EXPECT_EQ(testing::contents(folder / "convergence.csv"),
+  EXPECT_EQ(contents(folder / "convergence.csv"),
             "stage,level_mm,iteration,seconds,similarity,shear_modulus_Pa,poisson_ratio,"
             "gland_ratio,chest_stiffness_Pa_per_mm,force_weight_Pa,tre_mean_mm,tre_p95_mm,"
             "tre_max_mm\n"
@@ -43,18 +45,18 @@ std::size_t count(const std::string& text, const std::string& what) {
 }
 
 TEST(Convergence, PictureShowsErrorsOnlyWhereTheyAreKnown) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   std::vector<ConvergenceEntry> entries = run();
   write_convergence_picture(entries, folder / "with.svg");
-  const std::string with = testing::contents(folder / "with.svg");
+  const std::string with = contents(folder / "with.svg");
   EXPECT_EQ(count(with, "<polyline"), 4u); // similarity; mean, p95 and max
   EXPECT_EQ(count(with, "<circle"), 8u);
   EXPECT_EQ(count(with, "nan"), 0u);
   for (ConvergenceEntry& entry : entries)
     entry.error.reset();
   write_convergence_picture(entries, folder / "without.svg");
-  EXPECT_EQ(count(testing::contents(folder / "without.svg"), "<polyline"), 1u);
+  EXPECT_EQ(count(contents(folder / "without.svg"), "<polyline"), 1u);
 }
 
 } // namespace
-} // namespace prosup::output
+} // namespace prosup::tests

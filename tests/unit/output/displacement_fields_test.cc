@@ -7,8 +7,10 @@
 #include "affine_mesh.h"
 #include "expect_error.h"
 
-namespace prosup::output {
+namespace prosup::tests {
 namespace {
+
+using namespace prosup::output;
 
 using dealii::Point;
 using dealii::Tensor;
@@ -51,12 +53,11 @@ struct FourFields {
 
 class Fields : public ::testing::Test {
 protected:
-  const testing::AffineMap to_prone = testing::stretch_and_shear();
-  const testing::AffineMap to_supine = testing::other_stretch_and_shear();
-  const mesh::TetMesh box = testing::box_of_tets(low, high, 5);
-  const mesh::UnloadedMesh prone = testing::affine_mesh(box, to_prone);
-  const mesh::UnloadedMesh supine =
-      testing::affine_mesh(testing::box_of_tets(low, high, 7), to_supine);
+  const AffineMap to_prone = stretch_and_shear();
+  const AffineMap to_supine = other_stretch_and_shear();
+  const mesh::TetMesh box = box_of_tets(low, high, 5);
+  const mesh::UnloadedMesh prone = affine_mesh(box, to_prone);
+  const mesh::UnloadedMesh supine = affine_mesh(box_of_tets(low, high, 7), to_supine);
   const VoxelGrid grid = oblique_grid();
 
   FourFields four_fields() const {
@@ -148,8 +149,7 @@ TEST_F(Fields, ThereAndBackReturns) {
 TEST_F(Fields, MeshOutsideTheGridIsAnError) {
   VoxelGrid far = grid;
   far.origin = Point<3>(500., 0., 0.);
-  testing::expect_error([&] { unloaded_to_loaded(far, prone, PointMapper(prone)); },
-                        {"outside the grid"});
+  expect_error([&] { unloaded_to_loaded(far, prone, PointMapper(prone)); }, {"outside the grid"});
 }
 
 // The mesh may fill the grid, so that nothing is left to complete.
@@ -164,4 +164,4 @@ TEST_F(Fields, GridInsideTheMeshIsNoError) {
 }
 
 } // namespace
-} // namespace prosup::output
+} // namespace prosup::tests

@@ -11,8 +11,10 @@
 #include "expect_error.h"
 #include "temporary_folder.h"
 
-namespace prosup::output {
+namespace prosup::tests {
 namespace {
+
+using namespace prosup::output;
 
 using image::LabelImage;
 using image::ScalarImage;
@@ -69,7 +71,7 @@ protected:
   Pictures() : mask(ras_grid(), 1), image(ras_grid()), other(ras_grid(), 50.f) {}
   LabelImage mask;
   ScalarImage image, other;
-  testing::TemporaryFolder folder;
+  TemporaryFolder folder;
 };
 
 // A light that grows to the left, to posterior or to superior is brighter at
@@ -151,11 +153,11 @@ TEST_F(Pictures, TitlesAreWritten) {
 
 TEST_F(Pictures, EmptyMaskAndMissingFolderAreErrors) {
   fill(image, [](const Point<3>& p) { return p[0]; });
-  testing::expect_error([&] { write_unloading_slices(image, mask, image, folder / "missing"); },
-                        {"slices_axial.png", "cannot be written"});
+  expect_error([&] { write_unloading_slices(image, mask, image, folder / "missing"); },
+               {"slices_axial.png", "cannot be written"});
   const LabelImage empty(ras_grid(), 0);
-  testing::expect_error([&] { slice_box({&mask, &empty}); }, {"mask is empty"});
+  expect_error([&] { slice_box({&mask, &empty}); }, {"mask is empty"});
 }
 
 } // namespace
-} // namespace prosup::output
+} // namespace prosup::tests

@@ -9,8 +9,10 @@
 #include "temporary_folder.h"
 #include "text_file.h"
 
-namespace prosup::output {
+namespace prosup::tests {
 namespace {
+
+using namespace prosup::output;
 
 Summary complete_summary() {
   Summary s;
@@ -32,9 +34,9 @@ Summary complete_summary() {
 }
 
 TEST(Summary, HoldsTheAgreedEntries) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   write_summary(complete_summary(), folder / "summary.json");
-  EXPECT_EQ(testing::contents(folder / "summary.json"),
+  EXPECT_EQ(contents(folder / "summary.json"),
             std::string("{\n  \"version\": \"") + version() + R"(",
   "command": "register",
   "ranks": 2,
@@ -104,12 +106,12 @@ TEST(Summary, HoldsTheAgreedEntries) {
 }
 
 TEST(Summary, LeavesOutWhatIsNotKnown) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   Summary summary;
   summary.command = "mesh";
   summary.prone = StateSummary{1, 4, 1., {}, {}};
   write_summary(summary, folder / "summary.json");
-  const std::string text = testing::contents(folder / "summary.json");
+  const std::string text = contents(folder / "summary.json");
   for (const char* absent :
        {"tre", "material", "min_jacobian", "similarity", "steps", "supine", "unloading", "null"})
     EXPECT_EQ(text.find(absent), std::string::npos) << absent << " in " << text;
@@ -117,11 +119,11 @@ TEST(Summary, LeavesOutWhatIsNotKnown) {
 }
 
 TEST(Summary, RefusesNumbersThatAreNotFinite) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto file = folder / "summary.json";
   const double not_a_number = std::numeric_limits<double>::quiet_NaN();
   const auto expect_refused = [&](const Summary& summary, const std::string& name) {
-    testing::expect_error([&] { write_summary(summary, file); }, {"'" + name + "'"});
+    expect_error([&] { write_summary(summary, file); }, {"'" + name + "'"});
     EXPECT_FALSE(std::filesystem::exists(file));
   };
   Summary summary = complete_summary();
@@ -136,9 +138,9 @@ TEST(Summary, RefusesNumbersThatAreNotFinite) {
 }
 
 TEST(Summary, FileThatCannotBeWrittenIsNamed) {
-  const testing::TemporaryFolder folder;
-  testing::expect_error([&] { write_summary(complete_summary(), folder / "no/summary.json"); },
-                        {"no/summary.json", "cannot be written"});
+  const TemporaryFolder folder;
+  expect_error([&] { write_summary(complete_summary(), folder / "no/summary.json"); },
+               {"no/summary.json", "cannot be written"});
 }
 
 TEST(Summary, TableHasTheRowsThatAreKnown) {
@@ -149,4 +151,4 @@ TEST(Summary, TableHasTheRowsThatAreKnown) {
 }
 
 } // namespace
-} // namespace prosup::output
+} // namespace prosup::tests

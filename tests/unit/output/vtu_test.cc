@@ -9,17 +9,19 @@
 #include "temporary_folder.h"
 #include "text_file.h"
 
-namespace prosup::output {
+namespace prosup::tests {
 namespace {
 
+using namespace prosup::output;
+
 mesh::UnloadedMesh irrational_mesh() {
-  auto box = testing::box_of_tets({-1. / 3., 1. / 7., 100. / 3.}, {20.1, 30.3, 70.7}, 4);
-  return testing::affine_mesh(box, testing::stretch_and_shear());
+  auto box = box_of_tets({-1. / 3., 1. / 7., 100. / 3.}, {20.1, 30.3, 70.7}, 4);
+  return affine_mesh(box, stretch_and_shear());
 }
 
 // Bitwise: `map` from a result folder must give what the registration gave.
 TEST(Vtu, RoundTripIsExact) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   auto mesh = irrational_mesh();
   // Of the cells in the corner of the box: faces in its sides.
   const auto &c = mesh.mesh.cells[0], &d = mesh.mesh.cells[1], &e = mesh.mesh.cells[3];
@@ -40,42 +42,40 @@ TEST(Vtu, RoundTripIsExact) {
 }
 
 TEST(Vtu, CollectionListsBothStates) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   write_mesh(irrational_mesh(), folder / "", "supine");
-  const std::string pvd = testing::contents(folder / "supine.pvd");
+  const std::string pvd = contents(folder / "supine.pvd");
   EXPECT_NE(pvd.find("timestep=\"0\" file=\"supine_unloaded.vtu\""), std::string::npos) << pvd;
   EXPECT_NE(pvd.find("timestep=\"1\" file=\"supine_loaded.vtu\""), std::string::npos) << pvd;
   EXPECT_TRUE(std::filesystem::exists(folder / "supine_unloaded.vtu"));
 }
 
 TEST(Vtu, RefusesBadMeshesAndFolders) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   auto mesh = irrational_mesh();
-  testing::expect_error([&] { write_mesh(mesh, folder / "missing", "prone"); },
-                        {"cannot be written"});
+  expect_error([&] { write_mesh(mesh, folder / "missing", "prone"); }, {"cannot be written"});
   mesh.unloaded[7][2] = std::numeric_limits<double>::quiet_NaN();
-  testing::expect_error([&] { write_mesh(mesh, folder / "", "prone"); },
-                        {"Node 7", "'prone'", "not a finite"});
+  expect_error([&] { write_mesh(mesh, folder / "", "prone"); },
+               {"Node 7", "'prone'", "not a finite"});
   mesh = irrational_mesh();
   for (const unsigned node : mesh.mesh.cells[3])
     mesh.unloaded[node] = mesh.unloaded[0];
-  testing::expect_error([&] { write_mesh(mesh, folder / "", "prone"); }, {"no volume"});
+  expect_error([&] { write_mesh(mesh, folder / "", "prone"); }, {"no volume"});
   mesh.unloaded.pop_back();
-  testing::expect_error([&] { write_mesh(mesh, folder / "", "prone"); },
-                        {"125 nodes", "124 unloaded"});
+  expect_error([&] { write_mesh(mesh, folder / "", "prone"); }, {"125 nodes", "124 unloaded"});
   EXPECT_TRUE(std::filesystem::is_empty(folder / ""));
 }
 
 TEST(Vtu, RefusesFilesItDidNotWrite) {
-  const testing::TemporaryFolder folder;
-  testing::expect_error([&] { read_mesh(folder / "no.vtu"); }, {"no.vtu", "does not exist"});
-  testing::expect_error([&] { read_mesh(testing::text_file(folder / "bad.vtu", "no mesh")); },
-                        {"bad.vtu", "damaged"});
+  const TemporaryFolder folder;
+  expect_error([&] { read_mesh(folder / "no.vtu"); }, {"no.vtu", "does not exist"});
+  expect_error([&] { read_mesh(text_file(folder / "bad.vtu", "no mesh")); },
+               {"bad.vtu", "damaged"});
   // The unloaded file has no node positions of the unloaded state as data.
   write_mesh(irrational_mesh(), folder / "", "prone");
-  testing::expect_error([&] { read_mesh(folder / "prone_unloaded.vtu"); },
-                        {"prone_unloaded.vtu", "'unloaded'"});
+  expect_error([&] { read_mesh(folder / "prone_unloaded.vtu"); },
+               {"prone_unloaded.vtu", "'unloaded'"});
 }
 
 } // namespace
-} // namespace prosup::output
+} // namespace prosup::tests

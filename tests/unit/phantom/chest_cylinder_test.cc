@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
-using namespace prosup;
+namespace prosup::tests {
+namespace {
+
 using dealii::Tensor;
 
 TEST(ChestCylinder, HasTheNormalAndCurvatureOfItsDistance) {
@@ -22,3 +24,6 @@ TEST(ChestCylinder, HasTheNormalAndCurvatureOfItsDistance) {
       EXPECT_NEAR(chest.curvature(x)[c][d], (ahead[c] - behind[c]) / (2. * h), 1e-7);
   }
 }
+
+} // namespace
+} // namespace prosup::tests

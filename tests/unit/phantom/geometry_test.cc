@@ -2,7 +2,9 @@
 
 #include "expect_error.h"
 
-using namespace prosup;
+namespace prosup::tests {
+namespace {
+
 using namespace prosup::phantom;
 
 TEST(Geometry, HasTheVolumeOfItsThickness) {
@@ -37,5 +39,8 @@ TEST(Geometry, KnowsWhatIsInFrontOfTheChest) {
 TEST(Geometry, RefusesAChestNarrowerThanTheTissue) {
   Geometry geometry;
   geometry.chest_radius = 80.;
-  prosup::testing::expect_error([&] { geometry.check(); }, {"Chest radius", "80", "160.4"});
+  expect_error([&] { geometry.check(); }, {"Chest radius", "80", "160.4"});
 }
+
+} // namespace
+} // namespace prosup::tests

@@ -4,10 +4,10 @@
 
 #include "expect_error.h"
 
-using namespace prosup;
-using namespace prosup::phantom;
-
+namespace prosup::tests {
 namespace {
+
+using namespace prosup::phantom;
 
 /// Largest |x|/(width/2) and |z|/(length/2) of the corner voxels.
 double reach(const PhantomParameters& parameters, unsigned state) {
@@ -23,8 +23,6 @@ double reach(const PhantomParameters& parameters, unsigned state) {
   }
   return largest;
 }
-
-} // namespace
 
 TEST(Grids, EndWithinTheCutPlanes) {
   PhantomParameters parameters;
@@ -59,6 +57,8 @@ TEST(Grids, RefuseToShowNextToNothing) {
   PhantomParameters parameters;
   parameters.supine_crop = 70.;
   EXPECT_NO_THROW(image_grid(parameters, 0));
-  prosup::testing::expect_error([&] { image_grid(parameters, 1); },
-                                {"Phantom/Rotation", "Phantom/Supine crop"});
+  expect_error([&] { image_grid(parameters, 1); }, {"Phantom/Rotation", "Phantom/Supine crop"});
 }
+
+} // namespace
+} // namespace prosup::tests

@@ -5,10 +5,11 @@
 #include "prosup/phantom/random.h"
 #include "prosup/phantom/smooth_noise.h"
 
+namespace prosup::tests {
+namespace {
+
 using namespace prosup::phantom;
 using dealii::Point;
-
-namespace {
 
 struct Moments {
   double mean, deviation;
@@ -24,8 +25,6 @@ Moments moments(unsigned n, Draw&& draw) {
   }
   return {sum / n, std::sqrt(squares / n - sum * sum / n / n)};
 }
-
-} // namespace
 
 TEST(Random, IsThatOfItsSeedAndStream) {
   Random a(7, Stream::noise), same(7, Stream::noise), other_seed(8, Stream::noise),
@@ -80,3 +79,6 @@ TEST(SmoothNoise, IsSmoothAndPeriodic) {
   EXPECT_NEAR(noise(p), noise({p[0] + 160., p[1] - 160., p[2]}), 1e-9);
   EXPECT_NE(noise(p), noise({p[0] + 5., p[1], p[2]}));
 }
+
+} // namespace
+} // namespace prosup::tests

@@ -4,7 +4,7 @@
 #include "box_of_tets.h"
 #include "prosup/phantom/state_images.h"
 
-namespace prosup::testing {
+namespace prosup::tests {
 
 inline phantom::Geometry small_geometry() {
   phantom::Geometry geometry;
@@ -29,6 +29,6 @@ inline image::VoxelGrid brick_grid() {
   return image::grid_around({-14., -36., -14.}, {14., 4., 14.}, 1., 0.);
 }
 
-} // namespace prosup::testing
+} // namespace prosup::tests
 
 #endif

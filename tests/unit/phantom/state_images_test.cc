@@ -6,12 +6,11 @@
 
 #include "small_phantom.h"
 
-using namespace prosup;
-using namespace prosup::phantom;
-using namespace prosup::testing;
-using dealii::Tensor;
-
+namespace prosup::tests {
 namespace {
+
+using namespace prosup::phantom;
+using dealii::Tensor;
 
 constexpr unsigned seed = 5;
 
@@ -35,8 +34,6 @@ double different(const Image& a, const Image& b) {
     n += a.values[v] != b.values[v];
   return double(n) / double(a.values.size());
 }
-
-} // namespace
 
 TEST_F(Images, ShowTheTissueWhereItHasMovedTo) {
   const Tensor<1, 3> shift({2., -3., 1.}); // whole voxels
@@ -115,3 +112,6 @@ TEST(Anatomy, HasItsPartOfGland) {
     EXPECT_NEAR(double(n_gland) / n_tissue, part, 0.02);
   }
 }
+
+} // namespace
+} // namespace prosup::tests

@@ -5,14 +5,14 @@
 #include "expect_error.h"
 #include "prosup/image/image_io.h"
 
-using namespace prosup;
+namespace prosup::tests {
+namespace {
+
 using dealii::Point;
 using dealii::Tensor;
 using image::RigidTransform;
 using registration::Alignment;
 using registration::PreAlignment;
-
-namespace {
 
 /// The sample, whose chest is the same in both images; its surface is a cylinder.
 struct Sample {
@@ -60,8 +60,6 @@ double largest_error(const RigidTransform& found, const RigidTransform& elsewher
   return largest;
 }
 
-} // namespace
-
 // 0.3 mm is a tenth of a voxel.
 TEST(PreAlignment, FindsAnOffsetAlongTheSurfaceAndAcross) {
   PreAlignment method;
@@ -105,6 +103,9 @@ TEST(PreAlignment, RefusesChestsWithNothingInCommon) {
   set_parameters(method, "chest surface", "translation");
   RigidTransform elsewhere;
   elsewhere.translation[0] = 500.;
-  prosup::testing::expect_error([&] { Sample::get().align(method, elsewhere); },
-                                {"no surface in common", "Pre-alignment/Method"});
+  expect_error([&] { Sample::get().align(method, elsewhere); },
+               {"no surface in common", "Pre-alignment/Method"});
 }
+
+} // namespace
+} // namespace prosup::tests

@@ -12,14 +12,14 @@
 #include "prosup/registration/similarity_setup.h"
 #include "prosup/registration/simulated_bodies.h"
 
+namespace prosup::tests {
+namespace {
+
 using namespace dealii;
-using namespace prosup;
 using namespace prosup::registration;
 using mechanics::node_value;
 using similarity::prone;
 using similarity::supine;
-
-namespace {
 
 constexpr double true_shear_modulus = 300.; // Pa
 const std::vector<unsigned> n_cells{5, 4, 5};
@@ -34,7 +34,7 @@ float texture(const Point<3>& X) {
 /// The same textured block hanging and standing on its upper face, as images,
 /// with one body of each set up on the ranks of a split.
 struct Scene {
-  tests::HangingBoxParameters parameters;
+  HangingBoxParameters parameters;
   const Labels labels;
   mechanics::TissueMaterial material{labels};
   SimilarityParameters similarity_parameters;
@@ -47,11 +47,11 @@ struct Scene {
     parameters.position_tolerance = 1e-2;
     const std::vector<mechanics::LameParameters> truth{
         mechanics::lame_parameters(true_shear_modulus, material.initial().poisson_ratio)};
-    std::vector<tests::LoadedBox> loaded;
+    std::vector<LoadedBox> loaded;
     for (const unsigned s : {0u, 1u})
       loaded.emplace_back(n_cells, size, truth, parameters, gravity[s]);
     pair.for_each([&](State s, BodyState& state) {
-      const auto mesh = tests::make_box(ranks.group(), n_cells, size, loaded[s]);
+      const auto mesh = make_box(ranks.group(), n_cells, size, loaded[s]);
       state.body = std::make_unique<mechanics::Body>(*mesh);
       state.supports =
           std::make_unique<mechanics::Supports>(*state.body, mechanics::Supports::BoundaryIds{3});
@@ -65,7 +65,7 @@ struct Scene {
 
   static image::VoxelGrid grid() { return image::grid_around(Point<3>(), size, 1., 20.); }
 
-  static image::ScalarImage image_of(const tests::LoadedBox& box) {
+  static image::ScalarImage image_of(const LoadedBox& box) {
     image::ScalarImage image(grid());
     for (std::size_t cell = 0; cell < box.after.size(); ++cell)
       mesh::scan_convert_tet(image.grid, box.after[cell],
@@ -89,7 +89,7 @@ struct Scene {
     double sum = 0.;
     unsigned n = 0;
     pair.for_each([&](State, BodyState& state) {
-      const auto mesh = tests::make_box(ranks.group(), n_cells, size);
+      const auto mesh = make_box(ranks.group(), n_cells, size);
       const mechanics::Body block(*mesh); // the same topology has the same node numbers
       for (unsigned node = 0; node < block.n_owned_nodes(); ++node, ++n)
         sum += (node_value(state.unloading->unloaded(), node) -
@@ -99,8 +99,6 @@ struct Scene {
     return Utilities::MPI::sum(sum, MPI_COMM_WORLD) / Utilities::MPI::sum(n, MPI_COMM_WORLD);
   }
 };
-
-} // namespace
 
 TEST(RankSplit, SharesTheRanks) {
   const RankSplit ranks(MPI_COMM_WORLD);
@@ -195,3 +193,6 @@ TEST(ImageForceRegistration, BringsBothStatesTogether) {
     EXPECT_LT(scene.error(), 0.35 * before) << scheme << ", " << force;
   }
 }
+
+} // namespace
+} // namespace prosup::tests

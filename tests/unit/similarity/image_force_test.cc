@@ -8,17 +8,16 @@
 #include "prosup/similarity/voxel_map.h"
 #include "textured_pair.h"
 
+namespace prosup::tests {
+namespace {
+
 using namespace dealii;
-using namespace prosup;
 using mechanics::node_value;
 using similarity::ImageForce;
 using similarity::make_metric;
 using similarity::prone;
 using similarity::SimilarityResult;
 using similarity::supine;
-using tests::TexturedPair;
-
-namespace {
 
 Point<3> stretched(const Point<3>& X) {
   return Point<3>(X[0] + 2. * std::sin(0.05 * X[1]), 1.15 * X[1], X[2] - 0.002 * X[1] * X[2]);
@@ -50,8 +49,6 @@ double value_moved(unsigned state, double distance, unsigned n_layers) {
       .evaluate(TexturedPair::domain(2., n_layers), pair.states())
       .value;
 }
-
-} // namespace
 
 TEST(ImageForce, IsMinusTheDerivativeOfTheSsd) {
   const TexturedPair pair(stretched, flattened);
@@ -228,3 +225,6 @@ TEST(Domain, ChestAndTouchedBordersAreNoAir) {
   EXPECT_TRUE(no_air(-2., 7., 5.));  // tissue may go on there
   EXPECT_FALSE(no_air(4., 11., 5.)); // nothing touches that border: air
 }
+
+} // namespace
+} // namespace prosup::tests

@@ -7,12 +7,10 @@
 #include "expect_error.h"
 #include "warped_pairs.h"
 
-using namespace prosup;
-using namespace prosup::tests;
-using prosup::testing::expect_error;
-using similarity::make_metric;
-
+namespace prosup::tests {
 namespace {
+
+using similarity::make_metric;
 
 double inner(const std::vector<float>& a, const std::vector<float>& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.);
@@ -44,8 +42,6 @@ protected:
 };
 
 class MultimodalMetrics : public Metrics {};
-
-} // namespace
 
 INSTANTIATE_TEST_SUITE_P(All, Metrics, ::testing::Values("ssd", "nmi", "lncc"),
                          [](const auto& info) { return std::string(info.param); });
@@ -204,3 +200,6 @@ TEST(Metric, ParametersThatCannotBe) {
   parameters.noise = 0.;
   expect_error([&] { make_metric("lncc", parameters); }, {"noise", "positive"});
 }
+
+} // namespace
+} // namespace prosup::tests

@@ -5,12 +5,11 @@
 
 #include "textured_pair.h"
 
-using namespace dealii;
-using namespace prosup;
-using similarity::VoxelMap;
-using tests::TexturedPair;
-
+namespace prosup::tests {
 namespace {
+
+using namespace dealii;
+using similarity::VoxelMap;
 
 Point<3> sheared(const Point<3>& X) {
   return Point<3>(X[0] + 0.2 * X[1] + 3., 1.1 * X[1] - 2., X[2] - 0.1 * X[0]);
@@ -23,8 +22,6 @@ mechanics::NodeVector displacement_of(const TexturedPair& pair) {
         pair.bodies[0]->vertex_positions().local_element(i) - pair.unloaded[0].local_element(i);
   return u;
 }
-
-} // namespace
 
 TEST(VoxelMap, EveryVoxelOfTheBoxBelongsToOneRank) {
   const TexturedPair pair(sheared, sheared);
@@ -84,3 +81,6 @@ TEST(VoxelMap, LayersSurroundTheMesh) {
   EXPECT_EQ(count(1), faces);
   EXPECT_GT(count(2), 2 * faces);
 }
+
+} // namespace
+} // namespace prosup::tests

@@ -6,10 +6,10 @@
 
 #include "prosup/core/error.h"
 
-using namespace dealii;
-using namespace prosup;
-
+namespace prosup::tests {
 namespace {
+
+using namespace dealii;
 
 constexpr double radius = 120.; // of a cylinder along z through the origin, mm
 
@@ -33,8 +33,6 @@ image::LabelImage cylinder() {
       }
   return labels;
 }
-
-} // namespace
 
 // Nodes slide along level sets: what matters is that a level set keeps its distance
 // to the cylinder, and that the normals are smooth.
@@ -75,3 +73,6 @@ TEST(ChestSurface, RefusesAnImageWithoutChest) {
       unloading::ChestSurface(cylinder(), 7, 1.5, {-15., -125., -10.}, {40., -105., 15.}, 20.),
       Error);
 }
+
+} // namespace
+} // namespace prosup::tests

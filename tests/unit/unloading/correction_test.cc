@@ -7,11 +7,10 @@
 #include "prosup/core/error.h"
 #include "static_box.h"
 
-using namespace dealii;
-using namespace prosup;
-using tests::HangingBoxParameters;
-
+namespace prosup::tests {
 namespace {
+
+using namespace dealii;
 
 const Tensor<1, 3> down({0., -1., 0.});
 constexpr double edge = 60.; // mm: rho g edge = 589 Pa
@@ -19,20 +18,18 @@ constexpr double edge = 60.; // mm: rho g edge = 589 Pa
 /// Unloads a hanging box imaged as a cube.
 struct HangingCube {
   explicit HangingCube(const HangingBoxParameters& parameters, double shear_modulus)
-      : mesh(tests::make_box(MPI_COMM_WORLD, {4, 4, 4}, {edge, edge, edge})), body(*mesh),
+      : mesh(make_box(MPI_COMM_WORLD, {4, 4, 4}, {edge, edge, edge})), body(*mesh),
         supports(body, {3}), unloading(parameters, supports, down, "the cube") {
     unloading.set_material({mechanics::lame_parameters(shear_modulus, 0.45)});
     result = unloading.run();
   }
 
-  std::unique_ptr<tests::Distributed> mesh;
+  std::unique_ptr<Distributed> mesh;
   mechanics::Body body;
   mechanics::Supports supports;
   unloading::Unloading unloading;
   unloading::UnloadingResult result;
 };
-
-} // namespace
 
 TEST(Correction, FullAndRelaxedFindTheSameStateOfAStiffBody) {
   HangingBoxParameters parameters;
@@ -43,8 +40,7 @@ TEST(Correction, FullAndRelaxedFindTheSameStateOfAStiffBody) {
     parameters.correction_interval = interval;
     const HangingCube full(parameters, 600.);
     EXPECT_TRUE(full.result.converged) << interval;
-    EXPECT_LT(tests::largest_difference(full.unloading.unloaded(), relaxed.unloading.unloaded()),
-              1e-3);
+    EXPECT_LT(largest_difference(full.unloading.unloaded(), relaxed.unloading.unloaded()), 1e-3);
   }
 }
 
@@ -64,3 +60,6 @@ TEST(Correction, FullDivergesWhereRelaxedDoesNotAndStaysFull) {
     EXPECT_NE(message.find("2 retries"), std::string::npos) << message;
   }
 }
+
+} // namespace
+} // namespace prosup::tests

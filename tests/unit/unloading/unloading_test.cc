@@ -9,20 +9,17 @@
 #include "prosup/core/error.h"
 #include "prosup/mechanics/laws/material.h"
 
+namespace prosup::tests {
+namespace {
+
 using namespace dealii;
-using namespace prosup;
 using mechanics::node_value;
 using mechanics::NodeVector;
 using unloading::Unloading;
 using unloading::UnloadingParameters;
 using unloading::UnloadingResult;
 
-namespace {
-
 const Tensor<1, 3> down({0., -1., 0.});
-
-using tests::HangingBoxParameters;
-using tests::LoadedBox;
 
 double extreme_height(const mechanics::Body& body, const NodeVector& positions, double sign) {
   double extreme = -1e30;
@@ -59,8 +56,7 @@ struct UnloadedBox {
 
 UnloadedBox unload_box(const UnloadingParameters& parameters, const LoadedBox& box,
                        const std::vector<mechanics::LameParameters>& material) {
-  const auto mesh =
-      tests::make_box(MPI_COMM_WORLD, {n_edges, n_edges, n_edges}, {edge, edge, edge}, box);
+  const auto mesh = make_box(MPI_COMM_WORLD, {n_edges, n_edges, n_edges}, {edge, edge, edge}, box);
   const mechanics::Body body(*mesh);
   mechanics::Supports supports(body, {3});
   Unloading unloading(parameters, supports, down);
@@ -69,13 +65,11 @@ UnloadedBox unload_box(const UnloadingParameters& parameters, const LoadedBox& b
   return {unloading_error(box, unloading), result};
 }
 
-} // namespace
-
 // nu = 0: the column hangs in one dimension, P = mu (F - 1/F) = rho g s at the
 // distance s from its free end, hence F = (P + sqrt(P^2 + 4 mu^2)) / (2 mu).
 TEST(Loading, HangingColumnAgainstItsExactSolution) {
   const double length = 100., mu = 500.;
-  const auto mesh = tests::make_box(MPI_COMM_WORLD, {1, 50, 1}, {4., length, 4.});
+  const auto mesh = make_box(MPI_COMM_WORLD, {1, 50, 1}, {4., length, 4.});
   const mechanics::Body body(*mesh);
   HangingBoxParameters parameters;
   parameters.damping_rate = 25.;
@@ -131,7 +125,7 @@ TEST(Unloading, ResultDoesNotDependOnTheWayThere) {
 
 TEST(Unloading, GoesBackAndGivesUpWithADiagnosis) {
   const std::vector<mechanics::LameParameters> jelly{mechanics::lame_parameters(4., 0.45)};
-  const auto mesh = tests::make_box(MPI_COMM_WORLD, {4, 4, 4}, {60., 60., 60.});
+  const auto mesh = make_box(MPI_COMM_WORLD, {4, 4, 4}, {60., 60., 60.});
   const mechanics::Body body(*mesh);
   HangingBoxParameters parameters;
   parameters.max_retries = 2;
@@ -158,7 +152,7 @@ TEST(Unloading, GoesBackAndGivesUpWithADiagnosis) {
 TEST(Unloading, SaysForWhichPartOfTheWeightThereIsAState) {
   const std::vector<mechanics::LameParameters> material{mechanics::lame_parameters(8., 0.3)};
   HangingBoxParameters parameters;
-  const auto mesh = tests::make_box(MPI_COMM_WORLD, {4, 4, 4}, {60., 60., 60.});
+  const auto mesh = make_box(MPI_COMM_WORLD, {4, 4, 4}, {60., 60., 60.});
   const mechanics::Body body(*mesh);
   parameters.residual_tolerance = 2e-3;
   parameters.position_tolerance = 0.02;
@@ -220,7 +214,7 @@ TEST(Unloading, StepThatIsTooLargeIsAnsweredBySmallerOnes) {
 }
 
 TEST(Unloading, RejectsWhatCannotBeSimulated) {
-  const auto mesh = tests::make_box(MPI_COMM_WORLD, {2, 2, 2}, {10., 10., 10.});
+  const auto mesh = make_box(MPI_COMM_WORLD, {2, 2, 2}, {10., 10., 10.});
   const mechanics::Body body(*mesh);
   HangingBoxParameters parameters;
   mechanics::Supports held(body, {3}), loose(body, {77});
@@ -229,3 +223,6 @@ TEST(Unloading, RejectsWhatCannotBeSimulated) {
   parameters.damping_rate = 0.;
   EXPECT_THROW(Unloading(parameters, held, down), Error);
 }
+
+} // namespace
+} // namespace prosup::tests
