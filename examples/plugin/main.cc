@@ -11,10 +11,12 @@
 #include <prosup/mechanics/laws/material.h>
 #include <prosup/similarity/domain.h>
 #include <prosup/similarity/image_force.h>
+#include <prosup/similarity/sum_of_squared_differences.h>
 #include <prosup/unloading/unloading.h>
 
 #include <cmath>
 #include <iostream>
+#include <memory>
 
 #include "textured_block.h"
 
@@ -100,7 +102,8 @@ bool run(const BlockParameters& block, const UnloadingParameters& parameters, MP
   domain.grid =
       similarity::common_unloaded_grid({prone.state(), supine.state()}, voxel_edge, 15., world);
   domain.no_air.assign(domain.grid.n_voxels(), false);
-  const similarity::ImageForce image_force(similarity::make_metric("ssd"), world);
+  const similarity::ImageForce image_force(std::make_shared<similarity::SumOfSquaredDifferences>(),
+                                           world);
 
   const auto report = [&](const char* when, double ssd) {
     const double distance = Utilities::MPI::broadcast(world, mean_distance(prone, supine), 0);

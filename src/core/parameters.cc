@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "prosup/core/error.h"
+#include "prosup/core/text.h"
 
 namespace prosup {
 
@@ -113,10 +114,7 @@ void write_parameters(const ParameterHandler& parameters, const std::filesystem:
 }
 
 dealii::Patterns::Selection one_of(const std::vector<std::string>& names) {
-  std::string list;
-  for (const std::string& name : names)
-    list += (list.empty() ? "" : "|") + name;
-  return dealii::Patterns::Selection(list);
+  return dealii::Patterns::Selection(joined(names, "|"));
 }
 
 } // namespace prosup

@@ -7,6 +7,7 @@
 
 #include "prosup/core/error.h"
 #include "prosup/core/log.h"
+#include "prosup/core/text.h"
 
 namespace prosup::evaluation::csv {
 
@@ -18,13 +19,6 @@ std::string trimmed(const std::string& text) {
   if (first == std::string::npos)
     return {};
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
-std::string joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names)
-    text += (text.empty() ? "" : ", ") + name;
-  return text;
 }
 
 } // namespace

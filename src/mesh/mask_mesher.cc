@@ -11,6 +11,7 @@
 #include "node_relocation.h"
 #include "prosup/core/error.h"
 #include "prosup/core/log.h"
+#include "prosup/core/text.h"
 #include "prosup/image/filters.h"
 #include "prosup/mesh/quality.h"
 #include "surface_remesher.h"
@@ -39,13 +40,6 @@ constexpr double smallest_body = 4.;
 /// Largest distance over the edge length by which the surface moves to make up
 /// for chords: that of a sphere of one and a half edge lengths.
 constexpr double largest_shift = 0.06;
-
-std::string joined(const std::vector<unsigned>& labels) {
-  std::string result;
-  for (const unsigned label : labels)
-    result += (result.empty() ? "" : ", ") + std::to_string(label);
-  return result;
-}
 
 /// The same labels in the frame of the grid: axes along the coordinate axes,
 /// voxel 0 at the origin.

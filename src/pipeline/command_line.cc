@@ -11,9 +11,11 @@
 
 #include "prosup/core/collective.h"
 #include "prosup/core/parameters.h"
+#include "prosup/core/text.h"
 #include "prosup/core/version.h"
 #include "prosup/pipeline/commands.h"
 #include "prosup/pipeline/register_pipeline.h"
+#include "prosup/similarity/similarity_parameters.h"
 
 namespace prosup::pipeline {
 
@@ -76,7 +78,7 @@ void add_case_options(CLI::App& command, Options& options) {
       [&options](const std::string& value) {
         options.inputs.push_back("Similarity/Metric=" + value);
       },
-      "Measure of similarity: ssd, nmi or lncc");
+      "Measure of similarity: " + joined(similarity::metric_names()));
 }
 
 void add_common_options(CLI::App& command, Options& options) {

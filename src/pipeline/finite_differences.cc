@@ -61,7 +61,7 @@ void FiniteDifferences::build(Inputs& inputs) {
 
 registration::MaterialUpdateResult
 FiniteDifferences::update_material(const registration::Observer& observer) {
-  return stages_.material_update.run(*grids_, stages_.similarity.metric, log_, observer);
+  return stages_.material_update.run(*grids_, *stages_.similarity.make_metric(), log_, observer);
 }
 
 registration::ImageForceResult

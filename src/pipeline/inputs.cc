@@ -5,10 +5,12 @@
 #include "prosup/core/collective.h"
 #include "prosup/core/error.h"
 #include "prosup/core/parameters.h"
+#include "prosup/core/text.h"
 #include "prosup/image/broadcast.h"
 #include "prosup/image/contrast.h"
 #include "prosup/image/filters.h"
 #include "prosup/image/image_io.h"
+#include "prosup/similarity/similarity_parameters.h"
 
 namespace prosup::pipeline {
 
@@ -69,8 +71,9 @@ void InputReader::declare_parameters(ParameterHandler& prm) {
                     Patterns::Double(0., 100.));
   prm.add_parameter(
       "Contrast", contrast_,
-      "Whether one image takes the contrast of the other, such as MR that of CT, so that ssd can "
-      "compare them: its fat and gland, as labelled, get the other's intensities by a linear map "
+      "Whether one image takes the contrast of the other, such as MR that of CT, so that they can "
+      "be compared by differences: its fat and gland, as labelled, get the other's intensities by "
+      "a linear map "
       "(paper, Fig. 4).",
       one_of({contrast::as_given, contrast::prone_as_supine, contrast::supine_as_prone}));
 }
@@ -155,7 +158,8 @@ void InputReader::convert_contrast(Inputs& inputs) const {
   if (labels_.tissues.size() != 2 || labels_.gland == 0)
     throw Error("'Images/Contrast = " + contrast_ +
                 "' needs the labels of fat and of gland, two 'Labels/Tissues' and 'Labels/Gland'; "
-                "give them, or choose 'Similarity/Metric = nmi' or 'lncc', which need none.");
+                "give them, or set 'Similarity/Metric' to " +
+                joined(similarity::metric_names(true), " or ") + ", which needs none.");
   std::array<image::TissueIntensities, 2> tissue;
   for (unsigned s = 0; s < 2; ++s) {
     const auto median = [&](unsigned label) {

@@ -42,8 +42,8 @@ public:
       if (gain < parameters_.least_gain_ * gained)
         break;
     }
-    log_.line(format("  level %g mm: %s %.4g after %u updates", level, setup_.metric().c_str(),
-                     point.similarity.value, n_updates));
+    log_.line(format("  level %g mm: %s %.4g after %u updates", level,
+                     setup_.metric().name().c_str(), point.similarity.value, n_updates));
     return n_updates;
   }
 
@@ -67,7 +67,7 @@ private:
 
   void report(double level, unsigned update, double kappa, const ImageEnergyPoint& point) const {
     log_.progress(format("  image forces: level %g mm, update %u, weight %.0f Pa, %s %.4g", level,
-                         update, kappa, setup_.metric().c_str(), point.similarity.value));
+                         update, kappa, setup_.metric().name().c_str(), point.similarity.value));
     if (observer_)
       observer_({"image_forces", level, update, kappa, point.similarity.value});
   }

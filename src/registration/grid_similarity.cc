@@ -154,12 +154,13 @@ WarpedPair GridSimilarity::combine(const std::array<Samples, 2>& samples) const 
   WarpedPair pair{grid_, {}, std::vector<std::uint8_t>(n, 0)};
   for (const State s : both) {
     contents[s].assign(n, 0.f);
-    pair.values[s].assign(n, 0.f);
+    std::vector<float>& values = pair.values[both_positions[s]];
+    values.assign(n, 0.f);
     for (std::size_t i = 0; i < samples[s].voxels.size(); ++i) {
-      pair.values[s][samples[s].voxels[i]] = samples[s].values[i];
+      values[samples[s].voxels[i]] = samples[s].values[i];
       contents[s][samples[s].voxels[i]] = samples[s].contents[i];
     }
-    for (std::vector<float>* part : {&pair.values[s], &contents[s]})
+    for (std::vector<float>* part : {&values, &contents[s]})
       MPI_Allreduce(MPI_IN_PLACE, part->data(), static_cast<int>(n), MPI_FLOAT, MPI_SUM,
                     ranks_.world());
   }
@@ -192,7 +193,7 @@ double GridSimilarity::forces(const std::array<GridState, 2>& states, Variable v
     forces[s] = {u.grid, std::vector<Tensor<1, 3>>(u.values.size())};
     const double density = 1. / u.grid.voxel_volume();
     for (std::size_t i = 0; i < samples[s].voxels.size(); ++i) {
-      const double slope = derivatives.slope[s][samples[s].voxels[i]];
+      const double slope = derivatives.slope[both_positions[s]][samples[s].voxels[i]];
       if (slope == 0.)
         continue;
       const Point<3>& X = samples[s].positions[i];

@@ -41,9 +41,9 @@ void MaterialUpdate::declare_parameters(ParameterHandler& prm) {
                     one_of(method_names));
   prm.add_parameter(
       "Compared", compared_,
-      "images: the images, with the metric of section Similarity. tissues: fat and "
-      "gland as labelled, by squared differences. automatic: the images if the metric "
-      "is ssd, else the tissues.",
+      "images: the images, with the metric of section Similarity. tissues: fat and gland as "
+      "labelled, by squared differences. automatic: the tissues if the metric is for images of "
+      "different contrast, else the images.",
       one_of(compared_names));
   prm.add_parameter(
       "Properties", properties_,
@@ -70,14 +70,15 @@ void MaterialUpdate::declare_parameters(ParameterHandler& prm) {
       Patterns::Double(1.0001, 10.));
 }
 
-MaterialUpdateResult MaterialUpdate::run(SimulatedPair& pair, const std::string& metric,
+MaterialUpdateResult MaterialUpdate::run(SimulatedPair& pair, const similarity::Metric& metric,
                                          const Log& log, const Observer& observer) const {
   MaterialUpdateResult result;
   if (method_ == "none")
     return result;
-  const Compared compared = compared_ == "images" || (compared_ == "automatic" && metric == "ssd")
-                                ? Compared::images
-                                : Compared::tissues;
+  const Compared compared =
+      compared_ == "images" || (compared_ == "automatic" && metric.needs_same_contrast())
+          ? Compared::images
+          : Compared::tissues;
   const auto trials_on = [&](double level) {
     return PropertyTrials(pair, level, compared, log, observer, result);
   };

@@ -8,6 +8,7 @@
 #include "compared_images.h"
 #include "grid_similarity.h"
 #include "prosup/core/collective.h"
+#include "prosup/similarity/sum_of_squared_differences.h"
 
 namespace prosup::registration {
 
@@ -150,19 +151,17 @@ SimulatedGrids::Displaced SimulatedGrids::displaced() const {
 
 void SimulatedGrids::compare_on(double level, Compared compared) {
   const bool by_images = compared == Compared::images;
-  metric_ = by_images ? setup_.similarity.metric : "ssd of tissues";
+  const std::shared_ptr<const similarity::Metric> metric =
+      by_images ? setup_.similarity.make_metric()
+                : std::make_shared<similarity::SumOfSquaredDifferences>();
+  metric_ = metric->name() + (by_images ? "" : " of tissues");
   for (const State state : both)
     if (ranks_.holds(state))
       compared_images_[state] = smoothed(
           by_images ? images_[state] : tissue_image(scene_.labels[state], scene_.gland_label),
           level);
   const Displaced present = displaced();
-  similarity_ = std::make_unique<GridSimilarity>(
-      ranks_, scene_,
-      by_images
-          ? similarity::make_metric(setup_.similarity.metric, setup_.similarity.metric_parameters)
-          : similarity::make_metric("ssd"),
-      present.states, level);
+  similarity_ = std::make_unique<GridSimilarity>(ranks_, scene_, metric, present.states, level);
 }
 
 double SimulatedGrids::value() const {

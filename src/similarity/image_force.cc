@@ -30,10 +30,10 @@ NodeVector displacement_of(const LoadedState& state) {
 
 double residual_variance(const VoxelDerivatives& derivatives, double voxel_volume) {
   double slopes = 0., curvatures = 0.;
-  for (unsigned s = 0; s < 2; ++s) {
-    for (const double slope : derivatives.slope[s])
+  for (const Position p : both_positions) {
+    for (const double slope : derivatives.slope[p])
       slopes += slope * slope;
-    for (const double curvature : derivatives.curvature[s])
+    for (const double curvature : derivatives.curvature[p])
       curvatures += curvature;
   }
   return curvatures > 0. ? slopes / curvatures / voxel_volume : 0.;
@@ -153,10 +153,11 @@ WarpedPair ImageForce::combine(const SimilarityDomain& domain,
 
   WarpedPair pair{domain.grid, {}, std::vector<std::uint8_t>(n, 0)};
   for (unsigned s = 0; s < 2; ++s) {
-    pair.values[s].assign(n, domain.air[s]);
+    std::vector<float>& values = pair.values[both_positions[s]];
+    values.assign(n, domain.air[s]);
     for (std::size_t v = 0; v < n; ++v)
       if (packed[(2 * s + 1) * n + v] != 0.f)
-        pair.values[s][v] = packed[2 * s * n + v];
+        values[v] = packed[2 * s * n + v];
   }
   for (std::size_t v = 0; v < n; ++v)
     pair.in_domain[v] = counts(packed[n + v], packed[3 * n + v], domain.no_air[v]);
@@ -174,9 +175,10 @@ SimilarityResult ImageForce::evaluate(const SimilarityDomain& domain,
   result.residual_variance = residual_variance(derivatives, domain.grid.voxel_volume());
   for (unsigned s = 0; s < 2; ++s) {
     samples[s].derive_by(variable, states[s]);
-    result.forces[s] = samples[s].forces(states[s], derivatives.slope[s]);
+    result.forces[s] = samples[s].forces(states[s], derivatives.slope[both_positions[s]]);
     if (with_stiffness)
-      result.stiffness[s] = samples[s].stiffness(states[s], derivatives.curvature[s]);
+      result.stiffness[s] =
+          samples[s].stiffness(states[s], derivatives.curvature[both_positions[s]]);
   }
   return result;
 }

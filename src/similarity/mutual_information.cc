@@ -1,5 +1,8 @@
 #include "prosup/similarity/mutual_information.h"
 
+#include <deal.II/base/patterns.h>
+
+#include <array>
 #include <cmath>
 
 #include "joint_histogram.h"
@@ -10,6 +13,8 @@
 namespace prosup::similarity {
 
 namespace {
+
+constexpr unsigned fewest_bins = 8, most_bins = 256;
 
 /// Entropies of a joint histogram, and its surface M at the bins.
 struct Information {
@@ -59,10 +64,16 @@ private:
 } // namespace
 
 NormalisedMutualInformation::NormalisedMutualInformation(unsigned n_bins) : n_bins_(n_bins) {
-  if (n_bins < 8 || n_bins > 256)
-    throw Error(format("The joint histogram of nmi has %u bins, but must have 8 to 256; change "
-                       "'Similarity/Bins'.",
-                       n_bins));
+  if (n_bins < fewest_bins || n_bins > most_bins)
+    throw Error(format("The joint histogram of nmi has %u bins, but must have %u to %u; change "
+                       "'Similarity/nmi/Bins'.",
+                       n_bins, fewest_bins, most_bins));
+}
+
+void NormalisedMutualInformation::declare_parameters(dealii::ParameterHandler& prm) {
+  prm.add_parameter("Bins", n_bins_,
+                    "Number of bins of the joint histogram, for each image. Units: none.",
+                    dealii::Patterns::Integer(fewest_bins, most_bins));
 }
 
 double NormalisedMutualInformation::evaluate(const WarpedPair& pair,
@@ -73,7 +84,7 @@ double NormalisedMutualInformation::evaluate(const WarpedPair& pair,
   const auto for_each_voxel = [&](const auto& visit) {
     for (std::size_t v = 0; v < n_voxels; ++v)
       if (pair.in_domain[v])
-        visit(v, pair.values[prone][v], pair.values[supine][v]);
+        visit(v, pair.values.prone[v], pair.values.supine[v]);
   };
 
   std::size_t n_counted = 0;
@@ -90,19 +101,19 @@ double NormalisedMutualInformation::evaluate(const WarpedPair& pair,
 
   const double volume = pair.grid.voxel_volume();
   const double factor = scale * volume / information.joint_entropy;
-  std::array<Fisher, 2> fisher{Fisher(n_bins_), Fisher(n_bins_)};
+  PerPosition<Fisher> fisher{Fisher(n_bins_), Fisher(n_bins_)};
   for_each_voxel([&](std::size_t v, float p, float s) {
-    const std::array<double, 2> gradient = information.surface.gradient(bins.at(p), bins.at(s));
-    fisher[prone].add(bins.nearest(s), gradient[prone]);
-    fisher[supine].add(bins.nearest(p), gradient[supine]);
-    for (unsigned state = 0; state < 2; ++state)
-      derivatives.slope[state][v] = static_cast<float>(-factor * gradient[state]);
+    const auto [by_p, by_s] = information.surface.gradient(bins.at(p), bins.at(s));
+    fisher.prone.add(bins.nearest(s), by_p);
+    fisher.supine.add(bins.nearest(p), by_s);
+    derivatives.slope.prone[v] = static_cast<float>(-factor * by_p);
+    derivatives.slope.supine[v] = static_cast<float>(-factor * by_s);
   });
   for_each_voxel([&](std::size_t v, float p, float s) {
-    derivatives.curvature[prone][v] =
-        static_cast<float>(factor * fisher[prone].mean(bins.nearest(s)));
-    derivatives.curvature[supine][v] =
-        static_cast<float>(factor * fisher[supine].mean(bins.nearest(p)));
+    derivatives.curvature.prone[v] =
+        static_cast<float>(factor * fisher.prone.mean(bins.nearest(s)));
+    derivatives.curvature.supine[v] =
+        static_cast<float>(factor * fisher.supine.mean(bins.nearest(p)));
   });
   return scale * volume * static_cast<double>(n_counted) * (2. - information.nmi);
 }

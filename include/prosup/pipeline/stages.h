@@ -20,7 +20,7 @@
 #include "prosup/registration/image_force_registration.h"
 #include "prosup/registration/material_update.h"
 #include "prosup/registration/pre_alignment.h"
-#include "prosup/registration/similarity_setup.h"
+#include "prosup/similarity/similarity_parameters.h"
 #include "prosup/unloading/support_parameters.h"
 #include "prosup/unloading/unloading_parameters.h"
 
@@ -41,7 +41,7 @@ struct Stages {
   mechanics::QuasiStaticParameters quasi_static;
   fdm::FdmParameters fdm;
   SingleStateParameters single_state;
-  registration::SimilarityParameters similarity;
+  similarity::SimilarityParameters similarity;
   registration::MaterialUpdate material_update;
   registration::ImageForceRegistration image_forces;
   ResultParameters results;

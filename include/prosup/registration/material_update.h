@@ -44,9 +44,9 @@ public:
   void declare_parameters(dealii::ParameterHandler& prm) override;
 
   /// The pair has to be unloaded with its properties, and is left unloaded with
-  /// those that were found, `SimulatedPair::properties()`. `metric` is that of the section
-  /// "Similarity".
-  MaterialUpdateResult run(SimulatedPair& pair, const std::string& metric, const Log& log,
+  /// those that were found, `SimulatedPair::properties()`. `metric` is the one with which
+  /// the pair compares images.
+  MaterialUpdateResult run(SimulatedPair& pair, const similarity::Metric& metric, const Log& log,
                            const Observer& observer = {}) const;
 
 private:

@@ -1,8 +1,6 @@
 #ifndef PROSUP_REGISTRATION_SIMILARITY_SETUP_H
 #define PROSUP_REGISTRATION_SIMILARITY_SETUP_H
 
-#include <deal.II/base/parameter_acceptor.h>
-
 #include <array>
 #include <functional>
 #include <memory>
@@ -12,6 +10,7 @@
 #include "prosup/registration/body_pair.h"
 #include "prosup/similarity/domain.h"
 #include "prosup/similarity/image_force.h"
+#include "prosup/similarity/similarity_parameters.h"
 
 namespace prosup::registration {
 
@@ -28,18 +27,6 @@ struct SimilarityRecord {
 /// all ranks.
 using Observer = std::function<void(const SimilarityRecord&)>;
 
-/// What is compared and how, section "Similarity".
-class SimilarityParameters : public dealii::ParameterAcceptor {
-public:
-  SimilarityParameters();
-  void declare_parameters(dealii::ParameterHandler& prm) override;
-
-  std::string metric = "ssd";
-  similarity::MetricParameters metric_parameters;
-  unsigned n_layers = 2; ///< voxels around each mesh
-  double margin = 5.;    ///< of the grid around both meshes, voxels
-};
-
 /// What is compared on one level.
 struct Comparison {
   std::string metric;
@@ -52,9 +39,9 @@ struct Comparison {
 class SimilaritySetup {
 public:
   /// @throws Error if there is no metric of the chosen name.
-  SimilaritySetup(const SimilarityParameters& parameters, MPI_Comm world);
+  SimilaritySetup(const similarity::SimilarityParameters& parameters, MPI_Comm world);
 
-  const std::string& metric() const { return parameters_.metric; }
+  const similarity::Metric& metric() const { return *metric_; }
   const similarity::ImageForce& force() const { return force_; }
 
   /// The domain with voxels of edge `level` mm around both unloaded meshes.
@@ -74,7 +61,8 @@ public:
 
 private:
   MPI_Comm world_;
-  const SimilarityParameters& parameters_;
+  const similarity::SimilarityParameters& parameters_;
+  const std::shared_ptr<const similarity::Metric> metric_;
   const similarity::ImageForce force_;
 };
 

@@ -27,7 +27,7 @@ unloading::UnloadingResult as_unloading_result(const fdm::UnloadingResult& resul
 struct GridSetup {
   const fdm::FdmParameters& parameters;
   const mechanics::TissueMaterial& material;
-  const SimilarityParameters& similarity;
+  const similarity::SimilarityParameters& similarity;
   std::array<dealii::Tensor<1, 3>, 2> gravity; ///< acceleration, mm/s^2
   fdm::ChestContact contact = fdm::ChestContact::fixed;
   double density = tissue_density; ///< g/mm^3

@@ -1,12 +1,13 @@
 #ifndef PROSUP_SIMILARITY_METRIC_H
 #define PROSUP_SIMILARITY_METRIC_H
 
-#include <array>
+#include <deal.II/base/parameter_handler.h>
+
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <vector>
 
+#include "prosup/core/position.h"
 #include "prosup/image/voxel_image.h"
 
 namespace prosup::similarity {
@@ -16,61 +17,53 @@ enum State : unsigned { prone = 0, supine = 1 };
 
 inline constexpr const char* state_names[2] = {"prone", "supine"};
 
-/// Both images warped to one unloaded grid: P(X) and S(X), and the voxels that
-/// count (the domain Omega of eq. 12).
+/// Both images warped to one unloaded grid, P(X) prone and S(X) supine.
 struct WarpedPair {
   image::VoxelGrid grid;
-  std::array<std::vector<float>, 2> values;
-  std::vector<std::uint8_t> in_domain;
+  PerPosition<std::vector<float>> values; ///< of each voxel
+  std::vector<std::uint8_t> in_domain;    ///< not 0 in the domain Omega of eq. 12
 };
 
-/// How the value of a metric changes with the values of either image at each
-/// voxel; all zero outside the domain.
+/// Derivatives of the value S of a metric by the intensities of single voxels. All are 0
+/// outside the domain.
 struct VoxelDerivatives {
-  /// dS/dP_v and dS/dS_v: exact.
-  std::array<std::vector<float>, 2> slope;
-  /// d^2 S/dP_v^2 and d^2 S/dS_v^2 with the other image held, as Gauss-Newton or
-  /// Fisher's information approximate them: never negative.
-  std::array<std::vector<float>, 2> curvature;
+  /// dS/dP_v and dS/dS_v, exact.
+  PerPosition<std::vector<float>> slope;
+  /// d^2 S/dP_v^2 and d^2 S/dS_v^2 with the other image held. Approximated so that it is
+  /// never negative (Gauss-Newton, Fisher's information).
+  PerPosition<std::vector<float>> curvature;
 
-  /// All zero, for so many voxels.
+  /// Sets all derivatives of `n_voxels` voxels to 0.
   void reset(std::size_t n_voxels);
 };
 
-/// slope/curvature^1/2 of the prone image: for the SSD h^{3/2} (P - S), whose squares add up to
-/// twice the value.
+/// Residuals of the prone image, slope/curvature^1/2. For the SSD these are
+/// h^{3/2} (P - S), whose squares add up to twice the value.
 std::vector<float> residuals_of(VoxelDerivatives derivatives);
 
-/// A measure of the dissimilarity of two warped images: the smaller the more
-/// alike. It sees voxels only, no mesh.
+/// Measures how much two warped images differ: the smaller the value, the more alike they
+/// are. A metric sees voxels only, no mesh. To add one, see CONTRIBUTING.md.
 class Metric {
 public:
   virtual ~Metric() = default;
 
-  /// The value, mm^3, and its derivatives.
+  /// The name by which it is selected and under which it is reported.
+  virtual std::string name() const = 0;
+
+  /// What the name stands for, in the documentation of the parameter.
+  virtual std::string description() const { return name(); }
+
+  /// Whether a tissue must have the same intensity in both images. If not, differences
+  /// between images say little while the bodies are far apart, and the material update
+  /// compares labelled tissues instead.
+  virtual bool needs_same_contrast() const = 0;
+
+  /// Declares the parameters of this metric, if any, in the present section of `prm`.
+  virtual void declare_parameters(dealii::ParameterHandler& /*prm*/) {}
+
+  /// Returns the value, mm^3, and computes its derivatives.
   virtual double evaluate(const WarpedPair& pair, VoxelDerivatives& derivatives) const = 0;
 };
-
-/// Sum of squared differences, eq. 12: S = 1/2 sum_v (P_v - S_v)^2 h^3, mm^3.
-class SumOfSquaredDifferences : public Metric {
-public:
-  double evaluate(const WarpedPair& pair, VoxelDerivatives& derivatives) const override;
-};
-
-/// What metrics other than ssd can be told.
-struct MetricParameters {
-  unsigned n_bins = 32;      ///< of nmi, for either image
-  double window_radius = 2.; ///< of lncc: half the edge of its cubic windows, mm
-  double noise = 0.05;       ///< of lncc: standard deviation, images scaled to [0, 1]
-};
-
-/// The metrics that can be chosen by name.
-const std::vector<std::string>& metric_names();
-
-/// @throws Error that lists the names if there is no metric of this name, and
-/// for parameters that the metric cannot work with.
-std::unique_ptr<Metric> make_metric(const std::string& name,
-                                    const MetricParameters& parameters = {});
 
 } // namespace prosup::similarity
 

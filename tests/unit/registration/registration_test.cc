@@ -37,7 +37,7 @@ struct Scene {
   HangingBoxParameters parameters;
   const Labels labels;
   mechanics::TissueMaterial material{labels};
-  SimilarityParameters similarity_parameters;
+  similarity::SimilarityParameters similarity_parameters;
   RankSplit ranks{MPI_COMM_WORLD};
   BodyPair pair{ranks};
   similarity::Scene surroundings;

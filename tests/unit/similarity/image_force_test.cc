@@ -5,6 +5,7 @@
 
 #include "prosup/image/sampling.h"
 #include "prosup/similarity/domain.h"
+#include "prosup/similarity/sum_of_squared_differences.h"
 #include "prosup/similarity/voxel_map.h"
 #include "textured_pair.h"
 
@@ -14,10 +15,13 @@ namespace {
 using namespace dealii;
 using mechanics::node_value;
 using similarity::ImageForce;
-using similarity::make_metric;
 using similarity::prone;
 using similarity::SimilarityResult;
 using similarity::supine;
+
+std::shared_ptr<const similarity::Metric> ssd() {
+  return std::make_shared<similarity::SumOfSquaredDifferences>();
+}
 
 Point<3> stretched(const Point<3>& X) {
   return Point<3>(X[0] + 2. * std::sin(0.05 * X[1]), 1.15 * X[1], X[2] - 0.002 * X[1] * X[2]);
@@ -45,7 +49,7 @@ double value_moved(unsigned state, double distance, unsigned n_layers) {
   };
   const TexturedPair pair(state == prone ? moved(stretched) : TexturedPair::Map(stretched),
                           state == supine ? moved(flattened) : TexturedPair::Map(flattened));
-  return ImageForce(make_metric("ssd"), MPI_COMM_WORLD)
+  return ImageForce(ssd(), MPI_COMM_WORLD)
       .evaluate(TexturedPair::domain(2., n_layers), pair.states())
       .value;
 }
@@ -54,7 +58,7 @@ TEST(ImageForce, IsMinusTheDerivativeOfTheSsd) {
   const TexturedPair pair(stretched, flattened);
   for (const unsigned n_layers : {0u, 2u}) {
     const SimilarityResult result =
-        ImageForce(make_metric("ssd"), MPI_COMM_WORLD)
+        ImageForce(ssd(), MPI_COMM_WORLD)
             .evaluate(TexturedPair::domain(2., n_layers), pair.states());
     for (const unsigned state : {0u, 1u}) {
       double work = 0.;
@@ -79,12 +83,11 @@ TEST(ImageForce, ByUnloadedPositionsIsMinusTheDerivativeOfTheSsd) {
       for (unsigned c = 0; c < 3; ++c)
         pair.unloaded[state].local_element(3 * node + c) += distance * way[c];
     }
-    return ImageForce(make_metric("ssd"), MPI_COMM_WORLD)
-        .value(TexturedPair::domain(2., 0), pair.states());
+    return ImageForce(ssd(), MPI_COMM_WORLD).value(TexturedPair::domain(2., 0), pair.states());
   };
   const TexturedPair pair(stretched, flattened);
   const SimilarityResult result =
-      ImageForce(make_metric("ssd"), MPI_COMM_WORLD)
+      ImageForce(ssd(), MPI_COMM_WORLD)
           .evaluate(TexturedPair::domain(2., 0), pair.states(), similarity::Variable::unloaded);
   for (const unsigned state : {0u, 1u}) {
     double work = 0.;
@@ -104,7 +107,7 @@ TEST(ImageForce, StiffnessIsTheSquareOfTheGradients) {
   // d^T H d = sum_v h^3 (grad P . d)^2 = what the residual changes by, squared.
   const TexturedPair pair(stretched, stretched);
   const auto domain = TexturedPair::domain(2., 0);
-  const ImageForce force(make_metric("ssd"), MPI_COMM_WORLD);
+  const ImageForce force(ssd(), MPI_COMM_WORLD);
   const SimilarityResult result =
       force.evaluate(domain, pair.states(), similarity::Variable::displacement, true);
   const double step = 1e-3;
@@ -132,7 +135,7 @@ TEST(ImageForce, StiffnessIsTheSquareOfTheGradients) {
 TEST(ImageForce, NodalForcesSumToTheVoxelForces) {
   const TexturedPair pair(stretched, flattened);
   const auto domain = TexturedPair::domain(2., 1);
-  const ImageForce force(make_metric("ssd"), MPI_COMM_WORLD);
+  const ImageForce force(ssd(), MPI_COMM_WORLD);
   const auto states = pair.states();
   const SimilarityResult result = force.evaluate(domain, states);
   const auto warped = force.warp(domain, states);
@@ -149,7 +152,8 @@ TEST(ImageForce, NodalForcesSumToTheVoxelForces) {
     for (const auto& voxel : map.voxels()) {
       Tensor<1, 3> gradient;
       sampler.value_and_gradient(map.loaded_position(voxel, u), gradient);
-      const double difference = warped.values[s][voxel.index] - warped.values[1 - s][voxel.index];
+      const double difference = warped.values[both_positions[s]][voxel.index] -
+                                warped.values[both_positions[1 - s]][voxel.index];
       if (warped.in_domain[voxel.index])
         voxels -= domain.grid.voxel_volume() * difference * gradient;
     }
@@ -162,7 +166,7 @@ TEST(ImageForce, NodalForcesSumToTheVoxelForces) {
 
 TEST(ImageForce, ExcludedRegionsDoNotCount) {
   const TexturedPair pair(stretched, flattened);
-  const ImageForce force(make_metric("ssd"), MPI_COMM_WORLD);
+  const ImageForce force(ssd(), MPI_COMM_WORLD);
   auto domain = TexturedPair::domain(2., 1);
   const double all = force.value(domain, pair.states());
   std::array<image::LabelImage, 2> excluded;
@@ -183,8 +187,8 @@ TEST(ImageForce, ExcludedRegionsDoNotCount) {
 TEST(ImageForce, VanishesWhereTheImagesAgree) {
   TexturedPair pair(stretched, stretched);
   pair.images[1] = pair.images[0];
-  const SimilarityResult result = ImageForce(make_metric("ssd"), MPI_COMM_WORLD)
-                                      .evaluate(TexturedPair::domain(2., 2), pair.states());
+  const SimilarityResult result =
+      ImageForce(ssd(), MPI_COMM_WORLD).evaluate(TexturedPair::domain(2., 2), pair.states());
   EXPECT_NEAR(result.value, 0., 1e-9);
   EXPECT_NEAR(result.forces[0].linfty_norm(), 0., 1e-9);
   EXPECT_NEAR(result.forces[1].linfty_norm(), 0., 1e-9);
@@ -193,7 +197,7 @@ TEST(ImageForce, VanishesWhereTheImagesAgree) {
 TEST(ImageForce, SwappingTheStatesSwapsTheForces) {
   TexturedPair pair(stretched, flattened), swapped(flattened, stretched);
   std::swap(swapped.images[0], swapped.images[1]);
-  const ImageForce force(make_metric("ssd"), MPI_COMM_WORLD);
+  const ImageForce force(ssd(), MPI_COMM_WORLD);
   const auto domain = TexturedPair::domain(2., 2);
   const SimilarityResult a = force.evaluate(domain, pair.states());
   const SimilarityResult b = force.evaluate(domain, swapped.states());

@@ -35,18 +35,18 @@ inline WarpedPair warped_pair(const Intensity& prone, const Intensity& supine, d
     for (std::size_t j = 0; j < 26; ++j)
       for (std::size_t i = 0; i < 24; ++i) {
         const Point<3> x = pair.grid.physical(double(i), double(j), double(k));
-        pair.values[0].push_back(static_cast<float>(prone(x) + noise * normal(random)));
-        pair.values[1].push_back(static_cast<float>(supine(x) + noise * normal(random)));
+        pair.values.prone.push_back(static_cast<float>(prone(x) + noise * normal(random)));
+        pair.values.supine.push_back(static_cast<float>(supine(x) + noise * normal(random)));
         pair.in_domain.push_back(x.distance(Point<3>(22., 30., 20.)) < 23.);
       }
   return pair;
 }
 
 /// One of the images with `step` times `direction` added.
-inline WarpedPair moved(WarpedPair pair, unsigned state, const std::vector<float>& direction,
+inline WarpedPair moved(WarpedPair pair, Position position, const std::vector<float>& direction,
                         double step) {
   for (std::size_t v = 0; v < direction.size(); ++v)
-    pair.values[state][v] += static_cast<float>(step * direction[v]);
+    pair.values[position][v] += static_cast<float>(step * direction[v]);
   return pair;
 }
 
