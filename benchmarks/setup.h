@@ -38,7 +38,7 @@ public:
     mesh::MaskMesher mesher(label_values);
     dealii::ParameterHandler parameters;
     read_parameters(parameters, {}, {"Meshing/Edge length=" + std::to_string(edge_length)});
-    return mesher.run(labels_);
+    return mesher.mesh(labels_);
   }
 
   /// Cells go with the third power of the edge length, so that two tries do.

@@ -80,7 +80,7 @@ mesh::UnloadedMesh unload_mask(const BoxExperiment& box, const image::LabelImage
   mesh::MaskMesher mesher(label_values);
   mesher.edge_length = edge_length;
   mesh::UnloadedMesh result;
-  result.mesh = mesher.run(mask);
+  result.mesh = mesher.mesh(mask);
   result.unloaded = unload(box, result.mesh);
   return result;
 }

@@ -29,7 +29,7 @@ mesh::TetMesh make_mesh(const Case& hard_case, Size size) {
   const Labels label_values;
   mesh::MaskMesher mesher(label_values);
   mesher.edge_length = size == Size::small ? hard_case.small_edge : hard_case.full_edge;
-  mesh::TetMesh mesh = mesher.run(hard_case.shape.image(voxel, hard_case.axes));
+  mesh::TetMesh mesh = mesher.mesh(hard_case.shape.image(voxel, hard_case.axes));
   for (unsigned i = 0; i < hard_case.n_refinements; ++i)
     mesh = refined(mesh);
   if (hard_case.edit)

@@ -135,25 +135,25 @@ MaskMesher::MaskMesher(const Labels& labels) : ParameterAcceptor("Meshing"), lab
 
 void MaskMesher::declare_parameters(ParameterHandler& prm) {
   prm.add_parameter("Edge length", edge_length,
-                    "h, wanted edge length of the tetrahedra. Units: mm.",
+                    "h, edge length that the tetrahedra should have. Units: mm.",
                     Patterns::Double(0.1, 100.));
   prm.add_parameter("Smoothing", smoothing,
                     "sigma/s, standard deviation of the Gaussian that smooths the distance to the "
-                    "mask, over the cube root s of the volume of a voxel; one removes the stairs "
-                    "of the voxels. Units: none.",
+                    "mask, over the cube root s of the volume of a voxel. A value of 1 removes the "
+                    "stair steps of the voxels. Units: none.",
                     Patterns::Double(0., 10.));
 }
 
-TetMesh MaskMesher::run(const image::LabelImage& labels) const {
+TetMesh MaskMesher::mesh(const image::LabelImage& labels) const {
   labels_.check();
   const image::LabelImage upright = in_grid_frame(labels);
   const LevelSet phi(breast_mask(upright, labels_.tissues),
                      smoothing * std::cbrt(labels.grid.voxel_volume()));
-  TetMesh mesh = mesh_with_patience(phi, edge_length);
-  mesh.tissue = sample_tissue(mesh, upright, labels_.tissues);
-  mesh.boundary_faces = find_boundary(mesh, upright, labels_.tissues, labels_.chest);
-  to_physical(mesh, labels.grid);
-  return mesh;
+  TetMesh result = mesh_with_patience(phi, edge_length);
+  result.tissue = sample_tissue(result, upright, labels_.tissues);
+  result.boundary_faces = find_boundary(result, upright, labels_.tissues, labels_.chest);
+  to_physical(result, labels.grid);
+  return result;
 }
 
 } // namespace prosup::mesh

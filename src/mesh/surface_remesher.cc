@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "creases.h"
 #include "triangle_shape.h"
 
 namespace prosup::mesh {
@@ -10,9 +11,13 @@ namespace prosup::mesh {
 namespace {
 
 using Vector = dealii::Tensor<1, 3>;
-using Edge = SurfaceTopology::Edge;
+using Edge = SurfaceEdge;
 
 constexpr unsigned nobody = ~0u;
+
+double length(const SurfaceTopology& surface, unsigned a, unsigned b) {
+  return (surface.point(a) - surface.point(b)).norm();
+}
 
 } // namespace
 
@@ -39,7 +44,7 @@ void SurfaceRemesher::move_to_level(double level) {
   for (unsigned v = 0; v < topology_.n_vertices(); ++v)
     if (topology_.is_used(v)) {
       Point<3> target = topology_.point(v);
-      if (projection_.apply(target, topology_.patches(v)) && may_move(v, target, nobody))
+      if (projection_.apply(target, patches(topology_, v)) && may_move(v, target, nobody))
         topology_.move(v, target);
     }
 }
@@ -48,9 +53,9 @@ void SurfaceRemesher::split_long_edges() {
   const double longest = 4. / 3. * edge_length_;
   Edge edge;
   for (const auto& [a, b] : topology_.edges())
-    if (topology_.length(a, b) > longest && topology_.find_edge(a, b, edge)) {
+    if (length(topology_, a, b) > longest && topology_.find_edge(a, b, edge)) {
       Point<3> middle(0.5 * (topology_.point(a) + topology_.point(b)));
-      projection_.apply(middle, topology_.patches(edge));
+      projection_.apply(middle, patches(topology_, edge));
       topology_.split(edge, middle);
     }
 }
@@ -59,12 +64,12 @@ void SurfaceRemesher::collapse_short_edges() {
   const double shortest = 4. / 5. * edge_length_;
   std::vector<std::pair<double, std::array<unsigned, 2>>> short_edges;
   for (const auto& edge : topology_.edges())
-    if (const double length = topology_.length(edge[0], edge[1]); length < shortest)
-      short_edges.push_back({length, edge});
+    if (const double l = length(topology_, edge[0], edge[1]); l < shortest)
+      short_edges.push_back({l, edge});
   std::sort(short_edges.begin(), short_edges.end());
-  for (const auto& [length, edge] : short_edges)
+  for (const auto& [l, edge] : short_edges)
     if (topology_.is_used(edge[0]) && topology_.is_used(edge[1]) &&
-        topology_.length(edge[0], edge[1]) < shortest && !collapse(edge[0], edge[1]))
+        length(topology_, edge[0], edge[1]) < shortest && !collapse(edge[0], edge[1]))
       collapse(edge[1], edge[0]);
 }
 
@@ -73,9 +78,10 @@ bool SurfaceRemesher::collapse(unsigned removed, unsigned kept) {
   if (!topology_.find_edge(removed, kept, edge))
     return false;
   // A vertex may leave along its crease only, and a corner not at all.
-  const unsigned around_removed = topology_.patches(removed);
-  const std::size_t n_creases = topology_.crease_neighbours(removed).size();
-  if (around_removed != topology_.patches(edge) || n_creases != (topology_.is_crease(edge) ? 2 : 0))
+  const unsigned around_removed = patches(topology_, removed);
+  const std::size_t n_creases = crease_neighbours(topology_, removed).size();
+  if (around_removed != patches(topology_, edge) ||
+      n_creases != (is_crease(topology_, edge) ? 2 : 0))
     return false;
   const std::vector<unsigned> others = topology_.neighbours(kept);
   const std::vector<unsigned> moved = topology_.neighbours(removed);
@@ -86,8 +92,8 @@ bool SurfaceRemesher::collapse(unsigned removed, unsigned kept) {
       topology_.star(edge.right).size() <= 3)
     return false;
   Point<3> target = topology_.point(kept);
-  if (around_removed == topology_.patches(kept) &&
-      topology_.crease_neighbours(kept).size() == n_creases) {
+  if (around_removed == patches(topology_, kept) &&
+      crease_neighbours(topology_, kept).size() == n_creases) {
     target = Point<3>(0.5 * (topology_.point(removed) + target));
     if (!projection_.apply(target, around_removed))
       return false;
@@ -120,7 +126,7 @@ void SurfaceRemesher::flip_edges() {
 }
 
 bool SurfaceRemesher::flip_helps(const Edge& edge) const {
-  if (topology_.is_crease(edge))
+  if (is_crease(topology_, edge))
     return false;
   const auto excess = [&](unsigned v, int change) {
     const int deviation = int(topology_.star(v).size()) + change - 6;
@@ -136,7 +142,7 @@ bool SurfaceRemesher::flip_helps(const Edge& edge) const {
       std::find(opposite.begin(), opposite.end(), edge.right) != opposite.end() ||
       topology_.find_edge(edge.left, edge.right, present))
     return false;
-  return (topology_.point(edge.left) - topology_.point(edge.right)).norm() < 1.5 * edge_length_ &&
+  return length(topology_, edge.left, edge.right) < 1.5 * edge_length_ &&
          flipped_is_acceptable(edge, edge.a, edge.right, edge.left) &&
          flipped_is_acceptable(edge, edge.right, edge.b, edge.left);
 }
@@ -155,8 +161,8 @@ bool SurfaceRemesher::flipped_is_acceptable(const Edge& edge, unsigned a, unsign
 
 bool SurfaceRemesher::in_foreign_plane(unsigned patch,
                                        const std::array<unsigned, 3>& triangle) const {
-  const unsigned common = topology_.patches(triangle[0]) & topology_.patches(triangle[1]) &
-                          topology_.patches(triangle[2]);
+  const unsigned common = patches(topology_, triangle[0]) & patches(topology_, triangle[1]) &
+                          patches(topology_, triangle[2]);
   return (common & ~SurfaceProjection::set_of(patch) &
           ~SurfaceProjection::set_of(TriangleMesh::free_surface)) != 0;
 }
@@ -169,14 +175,14 @@ void SurfaceRemesher::relax() {
   for (unsigned v = 0; v < topology_.n_vertices(); ++v)
     if (topology_.is_used(v)) {
       Point<3> target = relaxed_position(v);
-      if (projection_.apply(target, topology_.patches(v)) && may_move(v, target, nobody))
+      if (projection_.apply(target, patches(topology_, v)) && may_move(v, target, nobody))
         topology_.move(v, target);
     }
 }
 
 Point<3> SurfaceRemesher::relaxed_position(unsigned vertex) const {
   const Point<3>& x = topology_.point(vertex);
-  const std::vector<unsigned> along = topology_.crease_neighbours(vertex);
+  const std::vector<unsigned> along = crease_neighbours(topology_, vertex);
   if (along.size() == 2)
     return Point<3>(0.5 * x + 0.25 * (topology_.point(along[0]) + topology_.point(along[1])));
   if (!along.empty())

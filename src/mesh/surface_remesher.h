@@ -34,10 +34,9 @@ private:
   void relax();
 
   bool collapse(unsigned removed, unsigned kept);
-  bool flip_helps(const SurfaceTopology::Edge& edge) const;
+  bool flip_helps(const SurfaceEdge& edge) const;
   /// Whether the triangle a b c, half of a flip of `edge`, is as good as both it replaces.
-  bool flipped_is_acceptable(const SurfaceTopology::Edge& edge, unsigned a, unsigned b,
-                             unsigned c) const;
+  bool flipped_is_acceptable(const SurfaceEdge& edge, unsigned a, unsigned b, unsigned c) const;
 
   /// Whether all corners of a triangle of `patch` lie in the plane of another patch.
   bool in_foreign_plane(unsigned patch, const std::array<unsigned, 3>& triangle) const;

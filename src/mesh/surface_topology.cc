@@ -30,7 +30,7 @@ std::vector<std::array<unsigned, 2>> SurfaceTopology::edges() const {
   return result;
 }
 
-bool SurfaceTopology::find_edge(unsigned a, unsigned b, Edge& edge) const {
+bool SurfaceTopology::find_edge(unsigned a, unsigned b, SurfaceEdge& edge) const {
   unsigned n_left = 0, n_right = 0;
   edge.a = a;
   edge.b = b;
@@ -50,26 +50,7 @@ bool SurfaceTopology::find_edge(unsigned a, unsigned b, Edge& edge) const {
   return n_left == 1 && n_right == 1;
 }
 
-unsigned SurfaceTopology::patches(unsigned vertex) const {
-  unsigned result = 0;
-  for (const unsigned t : star_[vertex])
-    result |= 1u << patch_[t];
-  return result;
-}
-
-std::vector<unsigned> SurfaceTopology::crease_neighbours(unsigned vertex) const {
-  std::vector<unsigned> result;
-  const unsigned around = patches(vertex);
-  if ((around & (around - 1)) == 0) // a single patch
-    return result;
-  Edge edge;
-  for (const unsigned other : neighbours(vertex))
-    if (!find_edge(vertex, other, edge) || is_crease(edge))
-      result.push_back(other);
-  return result;
-}
-
-void SurfaceTopology::split(const Edge& edge, const Point<3>& position) {
+void SurfaceTopology::split(const SurfaceEdge& edge, const Point<3>& position) {
   const auto middle = unsigned(points_.size());
   points_.push_back(position);
   star_.emplace_back();
@@ -83,7 +64,7 @@ void SurfaceTopology::split(const Edge& edge, const Point<3>& position) {
   add_triangle({edge.b, middle, edge.right}, patch_[edge.right_triangle]);
 }
 
-void SurfaceTopology::collapse(const Edge& edge, unsigned removed, unsigned kept) {
+void SurfaceTopology::collapse(const SurfaceEdge& edge, unsigned removed, unsigned kept) {
   remove_triangle(edge.left_triangle);
   remove_triangle(edge.right_triangle);
   for (const unsigned t : star_[removed]) {
@@ -93,7 +74,7 @@ void SurfaceTopology::collapse(const Edge& edge, unsigned removed, unsigned kept
   star_[removed].clear();
 }
 
-void SurfaceTopology::flip(const Edge& edge) {
+void SurfaceTopology::flip(const SurfaceEdge& edge) {
   remove_from_star(edge.b, edge.left_triangle);
   remove_from_star(edge.a, edge.right_triangle);
   replace_in_triangle(edge.left_triangle, edge.b, edge.right);

@@ -44,7 +44,7 @@ mesh::TetMesh make_mesh(const PhantomParameters& parameters, const Anatomy& anat
   meaning.gland = gland;
   mesh::MaskMesher mesher(meaning);
   mesher.edge_length = parameters.edge_length;
-  return mesher.run(labels);
+  return mesher.mesh(labels);
 }
 
 void set_node(NodeVector& vector, unsigned node, const Tensor<1, 3>& value) {

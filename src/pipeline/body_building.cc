@@ -43,7 +43,7 @@ MeshPair build_bodies(const Stages& stages, Inputs& inputs, BodyPair& pair, cons
   const auto& ranks = pair.ranks();
   const MPI_Comm group = ranks.group();
   pair.for_each([&](State which, BodyState& state) {
-    on_root(group, [&] { meshes[which] = stages.mesher.run(inputs.scene.labels[which]); });
+    on_root(group, [&] { meshes[which] = stages.mesher.mesh(inputs.scene.labels[which]); });
     state.body = make_body(stages, meshes[which], group);
     state.supports =
         stages.supports.make(stages.scene.chest(), *state.body, inputs.scene.labels[which],

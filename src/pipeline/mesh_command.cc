@@ -41,7 +41,7 @@ void run_mesh(const Stages& stages, const dealii::ParameterHandler& parameters,
     const image::LabelImage labels = stages.inputs.read_labels(stages.scene, state);
     const auto start = std::chrono::steady_clock::now();
     log.line("Meshing");
-    mesh = stages.mesher.run(labels);
+    mesh = stages.mesher.mesh(labels);
     summary.time.mesh =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const mesh::MeshQuality quality = mesh::measure_quality(mesh);

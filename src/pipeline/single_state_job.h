@@ -29,7 +29,7 @@ protected:
   /// Reads labels and image, on rank 0.
   virtual void read();
   /// The mesh to start with, on rank 0.
-  virtual mesh::TetMesh make_mesh() { return stages_.mesher.run(labels_); }
+  virtual mesh::TetMesh make_mesh() { return stages_.mesher.mesh(labels_); }
   /// Both configurations of the body (on rank 0) from the mesh.
   virtual mesh::UnloadedMesh simulate(mesh::TetMesh mesh) = 0;
   /// Fields and images of `mesh_`, on rank 0.

@@ -32,7 +32,7 @@ const mesh::TetMesh& breast() {
       const Labels label_values;
       mesh::MaskMesher mesher(label_values);
       mesher.edge_length = 14.;
-      result = mesher.run(labels("prone_labels.nii.gz"));
+      result = mesher.mesh(labels("prone_labels.nii.gz"));
     });
     return result;
   }();

@@ -23,7 +23,7 @@ TEST(GmshHost, KeepsItsModelAndOptions) {
   const Labels label_values;
   MaskMesher mesher(label_values);
   mesher.edge_length = 8.;
-  EXPECT_GT(mesher.run(ball_labels(centred_cube(30), 12.)).cells.size(), 0u);
+  EXPECT_GT(mesher.mesh(ball_labels(centred_cube(30), 12.)).cells.size(), 0u);
 
   std::string model;
   gmsh::model::getCurrent(model);

@@ -35,7 +35,7 @@ TEST_P(MaskMesherGrids, ThickObliqueSlicesMeshInPhysicalSpace) {
   const Labels label_values;
   MaskMesher mesher(label_values);
   mesher.edge_length = 7.;
-  const TetMesh mesh = mesher.run(make_labels(grid, [](const Point<3>& x) {
+  const TetMesh mesh = mesher.mesh(make_labels(grid, [](const Point<3>& x) {
     return x.norm() > radius ? 0u : x[1] > plane ? 1u : 2u;
   }));
   const double cap = radius - plane;
@@ -68,7 +68,7 @@ TEST(MaskMesherMapping, MovesWithItsGrid) {
   const Labels label_values;
   MaskMesher mesher(label_values);
   mesher.edge_length = 7.;
-  const TetMesh a = mesher.run(at_origin), b = mesher.run(moved);
+  const TetMesh a = mesher.mesh(at_origin), b = mesher.mesh(moved);
   ASSERT_EQ(a.points.size(), b.points.size());
   for (std::size_t i = 0; i < a.points.size(); ++i) {
     const Point<3> index = at_origin.grid.continuous_index(a.points[i]);
@@ -80,23 +80,23 @@ TEST(MaskMesherErrors, SayWhatIsMissing) {
   Labels label_values;
   MaskMesher mesher(label_values);
   const image::LabelImage empty(centred_cube(10), 1);
-  expect_error([&] { mesher.run(empty); }, {"2, 3", "Labels/Tissues"});
+  expect_error([&] { mesher.mesh(empty); }, {"2, 3", "Labels/Tissues"});
   label_values.tissues = {7};
   const auto ball = ball_labels(centred_cube(20), 8.);
-  expect_error([&] { mesher.run(ball); }, {"Labels/Gland", "3"});
+  expect_error([&] { mesher.mesh(ball); }, {"Labels/Gland", "3"});
   label_values.gland = 0;
-  expect_error([&] { mesher.run(ball); }, {"7"});
+  expect_error([&] { mesher.mesh(ball); }, {"7"});
 }
 
 TEST(MaskMesherErrors, BreastMustNotBeSmallerThanAnEdge) {
   const Labels label_values;
   MaskMesher mesher(label_values);
   mesher.edge_length = 20.;
-  expect_error([&] { mesher.run(ball_labels(centred_cube(20), 5.)); },
+  expect_error([&] { mesher.mesh(ball_labels(centred_cube(20), 5.)); },
                {"20 mm", "smaller \"Meshing/Edge length\""});
   image::LabelImage one_voxel(centred_cube(20));
   one_voxel(10, 10, 10) = 2;
-  expect_error([&] { mesher.run(one_voxel); }, {"0.001 ml"});
+  expect_error([&] { mesher.mesh(one_voxel); }, {"0.001 ml"});
 }
 
 } // namespace

@@ -17,7 +17,7 @@ TetMesh mesh_of(const image::LabelImage& labels, double edge_length) {
   const Labels label_values;
   MaskMesher mesher(label_values);
   mesher.edge_length = edge_length;
-  return mesher.run(labels);
+  return mesher.mesh(labels);
 }
 
 /// Largest distance of boundary nodes to a sphere about the origin, mm.
