@@ -9,10 +9,11 @@ namespace prosup::phantom {
 
 void Geometry::check() const {
   if (!(chest_radius > 0.5 * width))
-    throw Error(format("The phantom's chest is too narrow: 'Phantom/Chest radius' is %g mm but has "
-                       "to be more than half of 'Phantom/Width' (%g mm); make the radius larger or "
-                       "the width smaller.",
-                       chest_radius, width));
+    throw Error(
+        format("The phantom's chest is too narrow: 'Phantom/Anatomy/Chest radius' is %g mm but has "
+               "to be more than half of 'Width' (%g mm); make the radius larger or "
+               "the width smaller.",
+               chest_radius, width));
 }
 
 double Geometry::chest_y(double x) const {

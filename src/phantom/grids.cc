@@ -55,30 +55,29 @@ VoxelGrid meshing_grid(const Geometry& geometry, double spacing) {
   return grid;
 }
 
-VoxelGrid image_grid(const PhantomParameters& parameters, unsigned state) {
-  const Geometry& geometry = parameters.geometry;
-  const double front = geometry.skin_y(0., 0.) - parameters.anterior_margin;
+VoxelGrid image_grid(const Geometry& geometry, const ImagingParameters& images, Position position) {
+  const bool supine = position == Position::supine;
+  const double front = geometry.skin_y(0., 0.) - images.anterior_margin;
   const double back = geometry.chest_y(0.5 * geometry.width) + posterior_margin;
-  const double crop = state == 1 ? parameters.supine_crop : 0.;
-  const Tensor<1, 3> offset = state == 1 ? parameters.supine_offset : Tensor<1, 3>();
+  const double crop = supine ? images.supine_crop : 0.;
+  const Tensor<1, 3> offset = supine ? images.supine_offset : Tensor<1, 3>();
 
   VoxelGrid grid;
-  grid.direction = rotation_about(2, parameters.rotation[2]) *
-                   rotation_about(1, parameters.rotation[1]) *
-                   rotation_about(0, parameters.rotation[0]);
+  grid.direction = rotation_about(2, images.rotation[2]) * rotation_about(1, images.rotation[1]) *
+                   rotation_about(0, images.rotation[0]);
   Tensor<1, 3> half = inner_half_extents(
       grid.direction, {0.5 * geometry.width, 0.5 * geometry.length}, 0.5 * (back - front));
   for (const unsigned d : {0u, 2u})
     half[d] -= crop + std::abs(offset[d]);
   if (!(half[0] > geometry.width / 6.) || !(half[2] > geometry.length / 6.))
     throw Error("The field of view of the phantom's images would show less than a third of its "
-                "width or length; choose smaller angles in 'Phantom/Rotation', or a smaller "
-                "'Phantom/Supine crop' or 'Phantom/Supine offset'.");
+                "width or length; choose smaller angles in 'Phantom/Images/Rotation', or a smaller "
+                "'Supine crop' or 'Supine offset' there.");
   Tensor<1, 3> to_first;
   for (unsigned d = 0; d < 3; ++d) {
-    grid.spacing[d] = parameters.voxel_edge;
-    grid.size[d] = static_cast<std::size_t>(2. * half[d] / parameters.voxel_edge) + 1;
-    to_first[d] = offset[d] - 0.5 * parameters.voxel_edge * double(grid.size[d] - 1);
+    grid.spacing[d] = images.voxel_edge;
+    grid.size[d] = static_cast<std::size_t>(2. * half[d] / images.voxel_edge) + 1;
+    to_first[d] = offset[d] - 0.5 * images.voxel_edge * double(grid.size[d] - 1);
   }
   grid.origin = Point<3>(0., 0.5 * (front + back), 0.) + grid.direction * to_first;
   return grid;

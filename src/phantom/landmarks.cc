@@ -28,18 +28,18 @@ bool is_seen(const image::VoxelGrid& grid, const Point<3>& x) {
 } // namespace
 
 std::vector<Landmark> sample_landmarks(const Geometry& geometry,
-                                       const std::array<mesh::UnloadedMesh, 2>& meshes,
-                                       const std::array<image::VoxelGrid, 2>& grids,
+                                       const PerPosition<mesh::UnloadedMesh>& meshes,
+                                       const PerPosition<image::VoxelGrid>& grids,
                                        unsigned n_landmarks, std::uint64_t seed) {
-  const PointMapper prone(meshes[0]), supine(meshes[1]);
+  const PointMapper prone(meshes.prone), supine(meshes.supine);
   Random random(seed, Stream::landmarks);
   const double front = geometry.skin_y(0., 0.), back = geometry.chest_y(0.5 * geometry.width);
   std::vector<Landmark> landmarks;
   for (unsigned long draw = 0; landmarks.size() < n_landmarks; ++draw) {
     if (draw == static_cast<unsigned long>(draws_per_landmark) * n_landmarks)
-      throw Error("The phantom's images show too little tissue in both states for 'Phantom/"
-                  "Landmarks' landmarks; choose a smaller 'Phantom/Supine crop' or 'Phantom/"
-                  "Rotation', or a larger 'Phantom/Anterior margin'.");
+      throw Error("The phantom's images show too little tissue in both positions for 'Phantom/"
+                  "Landmarks' landmarks; choose a smaller 'Phantom/Images/Supine crop' or "
+                  "'Rotation', or a larger 'Anterior margin' there.");
     const double x = (random.uniform() - 0.5) * geometry.width;
     const double y = front + random.uniform() * (back - front);
     const double z = (random.uniform() - 0.5) * geometry.length;
@@ -48,8 +48,8 @@ std::vector<Landmark> sample_landmarks(const Geometry& geometry,
       continue;
     const MappedPoint in_prone = prone.map(X, State::unloaded),
                       in_supine = supine.map(X, State::unloaded);
-    if (in_prone.distance_outside == 0. && is_seen(grids[0], in_prone.position) &&
-        is_seen(grids[1], in_supine.position))
+    if (in_prone.distance_outside == 0. && is_seen(grids.prone, in_prone.position) &&
+        is_seen(grids.supine, in_supine.position))
       landmarks.push_back(
           {std::to_string(landmarks.size() + 1), in_prone.position, in_supine.position, X});
   }

@@ -30,9 +30,8 @@ constexpr types::boundary_id chest_wall = id(mesh::BoundaryPart::chest_wall),
                              cut_plane = id(mesh::BoundaryPart::cut_plane),
                              skin = id(mesh::BoundaryPart::skin);
 
-mesh::TetMesh make_mesh(const PhantomParameters& parameters, const Anatomy& anatomy) {
-  image::LabelImage labels(
-      meshing_grid(parameters.geometry, parameters.edge_length / edges_per_voxel));
+mesh::TetMesh make_mesh(double edge_length, const Anatomy& anatomy) {
+  image::LabelImage labels(meshing_grid(anatomy.geometry(), edge_length / edges_per_voxel));
   const auto& size = labels.grid.size;
   for (std::size_t k = 0; k < size[2]; ++k)
     for (std::size_t j = 0; j < size[1]; ++j)
@@ -43,7 +42,7 @@ mesh::TetMesh make_mesh(const PhantomParameters& parameters, const Anatomy& anat
   meaning.tissues = {fat, gland};
   meaning.gland = gland;
   mesh::MaskMesher mesher(meaning);
-  mesher.edge_length = parameters.edge_length;
+  mesher.edge_length = edge_length;
   return mesher.mesh(labels);
 }
 
@@ -54,12 +53,12 @@ void set_node(NodeVector& vector, unsigned node, const Tensor<1, 3>& value) {
 
 } // namespace
 
-PhantomBody::PhantomBody(const PhantomParameters& parameters, const Anatomy& anatomy,
+PhantomBody::PhantomBody(const MechanicsParameters& parameters, const Anatomy& anatomy,
                          MPI_Comm communicator)
-    : parameters_(parameters) {
+    : parameters_(parameters), geometry_(anatomy.geometry()) {
   mesh::TetMesh mesh;
   on_root(communicator, [&] {
-    mesh = make_mesh(parameters, anatomy);
+    mesh = make_mesh(parameters.edge_length, anatomy);
     mesh_ = mesh::refined(mesh);
   });
   body_ =
@@ -77,9 +76,9 @@ void PhantomBody::put_on_surfaces() {
   for (unsigned node = 0; node < body_->n_local_nodes(); ++node) {
     const Point<3> X(node_value(unloaded_, node));
     if (on_chest[node])
-      set_node(unloaded_, node, parameters_.geometry.on_chest(X));
+      set_node(unloaded_, node, geometry_.on_chest(X));
     else if (on_skin[node])
-      set_node(unloaded_, node, parameters_.geometry.on_skin(X));
+      set_node(unloaded_, node, geometry_.on_skin(X));
   }
 }
 
@@ -94,8 +93,7 @@ std::vector<mechanics::LameParameters> PhantomBody::material() const {
 }
 
 NodeVector PhantomBody::push(double pressure) const {
-  const Geometry& geometry = parameters_.geometry;
-  const Point<3> centre = geometry.on_skin({geometry.sigma, 0., 0.});
+  const Point<3> centre = geometry_.on_skin({geometry_.sigma, 0., 0.});
   const std::vector<double> area = body_->lumped_area({skin}, unloaded_);
   NodeVector force;
   body_->initialize(force);
@@ -115,7 +113,7 @@ LoadedPhantom PhantomBody::load(const Load& load, const mechanics::QuasiStaticPa
     quasi_static.set_external_force(push(load.push_pressure));
   mechanics::Supports supports(*body_, {cut_plane});
   if (parameters_.chest_slides()) {
-    supports.slide_on(std::make_shared<ChestCylinder>(parameters_.geometry), {chest_wall},
+    supports.slide_on(std::make_shared<ChestCylinder>(geometry_), {chest_wall},
                       mechanics::ContactLaw::tied);
     supports.add_springs({chest_wall}, parameters_.fascia_stiffness);
   } else {

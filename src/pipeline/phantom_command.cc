@@ -61,26 +61,27 @@ public:
 
 private:
   void check() {
-    parameters_.geometry.check();
+    parameters_.anatomy.geometry.check();
     for (const unsigned state : {0u, 1u})
-      grids_[state] = phantom::image_grid(parameters_, state);
+      grids_[state] = phantom::image_grid(parameters_.anatomy.geometry, parameters_.images,
+                                          both_positions[state]);
     grids_[unloaded] = grids_[0];
   }
 
   void build() {
-    anatomy_ = std::make_unique<phantom::Anatomy>(parameters_.geometry, parameters_.gland_fraction,
-                                                  parameters_.seed);
-    body_ = std::make_unique<phantom::PhantomBody>(parameters_, *anatomy_, world_);
+    anatomy_ = std::make_unique<phantom::Anatomy>(
+        parameters_.anatomy.geometry, parameters_.anatomy.gland_fraction, parameters_.seed);
+    body_ = std::make_unique<phantom::PhantomBody>(parameters_.mechanics, *anatomy_, world_);
     log_.line(format("  %u quadratic tetrahedra, %u nodes, volume %.1f ml",
                      body_->body().n_global_cells() / 8, body_->body().n_global_nodes(),
-                     parameters_.geometry.volume() / 1000.));
+                     parameters_.anatomy.geometry.volume() / 1000.));
   }
 
   void load() {
     for (const unsigned state : {0u, 1u}) {
       phantom::Load load;
       load.body_force = body_force(stages_, state);
-      load.push_pressure = state == 0 ? parameters_.push_pressure : 0.;
+      load.push_pressure = state == 0 ? parameters_.mechanics.push_pressure : 0.;
       loaded_[state] = body_->load(load, stages_.quasi_static, log_);
       log_.line(describe(state_names[state], loaded_[state].result));
     }
@@ -97,7 +98,7 @@ private:
     at_rest.points = prone.unloaded;
     write_images(unloaded, {at_rest, prone.unloaded}, texture, folder);
     const auto landmarks = phantom::sample_landmarks(
-        parameters_.geometry, {loaded_[0].mesh, loaded_[1].mesh}, {grids_[0], grids_[1]},
+        parameters_.anatomy.geometry, {loaded_[0].mesh, loaded_[1].mesh}, {grids_[0], grids_[1]},
         parameters_.n_landmarks, parameters_.seed);
     evaluation::write_landmarks(landmarks, folder / "landmarks.csv");
     initial_error_ = evaluation::initial_error(landmarks);
@@ -123,10 +124,12 @@ private:
     const std::string name = state == unloaded ? "unloaded" : state_names[state];
     const auto points = phantom::material_points(grids_[state], mesh);
     const phantom::StateImages images(*anatomy_, points, parameters_.seed, state);
-    images_[state] = images.image(texture, parameters_.modality(seen_as),
-                                  {parameters_.noise(seen_as), parameters_.bias_field});
-    const image::LabelImage labels =
-        state == unloaded ? images.labels() : images.jittered_labels(parameters_.label_jitter);
+    images_[state] = images.image(
+        texture, parameters_.images.modality(both_positions[seen_as]),
+        {parameters_.images.noise(both_positions[seen_as]), parameters_.images.bias_field});
+    const image::LabelImage labels = state == unloaded
+                                         ? images.labels()
+                                         : images.jittered_labels(parameters_.images.label_jitter);
     image::write_image(images_[state], folder / (name + ".nii.gz"));
     image::write_labels(labels, folder / (name + "_labels.nii.gz"));
     masks_[state] = image::select_labels(labels, {phantom::fat, phantom::gland});
@@ -156,7 +159,7 @@ private:
                                loaded_[state].result.min_jacobian,
                                {}};
     }
-    summary.shear_modulus = parameters_.fat_shear_modulus;
+    summary.shear_modulus = parameters_.mechanics.fat_shear_modulus;
     summary.tre.initial = initial_error_;
     summary.time.mesh = timer_.seconds("Meshing");
     summary.time.total = timer_.total();

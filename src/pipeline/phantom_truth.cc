@@ -15,7 +15,7 @@ Json as_json(const dealii::Tensor<1, 3>& v) {
   return {v[0], v[1], v[2]};
 }
 
-Json mechanics_of(const phantom::PhantomParameters& phantom) {
+Json mechanics_of(const phantom::MechanicsParameters& phantom) {
   Json json;
   json["material"] = {
       {"model", "neo-Hookean: W = mu/2 (tr C - 3) - mu ln J + lambda/2 (ln J)^2"},
@@ -37,8 +37,8 @@ Json mechanics_of(const phantom::PhantomParameters& phantom) {
   return json;
 }
 
-Json geometry_of(const phantom::PhantomParameters& phantom) {
-  const phantom::Geometry& shape = phantom.geometry;
+Json geometry_of(const phantom::AnatomyParameters& anatomy) {
+  const phantom::Geometry& shape = anatomy.geometry;
   return {{"width_mm", shape.width},
           {"length_mm", shape.length},
           {"chest_radius_mm", shape.chest_radius},
@@ -46,18 +46,17 @@ Json geometry_of(const phantom::PhantomParameters& phantom) {
           {"height_mm", shape.height},
           {"sigma_mm", shape.sigma},
           {"volume_ml", shape.volume() / 1000.},
-          {"gland_fraction", phantom.gland_fraction}};
+          {"gland_fraction", anatomy.gland_fraction}};
 }
 
-Json images_of(const phantom::PhantomParameters& phantom) {
+Json images_of(const phantom::ImagingParameters& images) {
   Json json;
-  for (const unsigned state : {0u, 1u})
-    json[similarity::state_names[state]] = {
-        {"modality", phantom::modality_names()[static_cast<unsigned>(phantom.modality(state))]},
-        {"noise", phantom.noise(state)}};
-  json["voxel_edge_mm"] = phantom.voxel_edge;
-  json["bias_field"] = phantom.bias_field;
-  json["label_jitter_mm"] = phantom.label_jitter;
+  for (const Position position : both_positions)
+    json[name_of(position)] = {{"modality", images.modality_name[position]},
+                               {"noise", images.noise(position)}};
+  json["voxel_edge_mm"] = images.voxel_edge;
+  json["bias_field"] = images.bias_field;
+  json["label_jitter_mm"] = images.label_jitter;
   return json;
 }
 
@@ -67,14 +66,15 @@ void write_phantom_truth(const Stages& stages, const evaluation::ErrorStatistics
                          const std::array<mechanics::QuasiStaticResult, 2>& results,
                          const std::filesystem::path& file) {
   const phantom::PhantomParameters& phantom = stages.phantom;
-  Json json = mechanics_of(phantom);
+  Json json = mechanics_of(phantom.mechanics);
   json["version"] = version();
   json["seed"] = phantom.seed;
   json["density_g_per_mm3"] = stages.unloading.density;
   json["gravity_mm_per_s2"] = stages.unloading.gravity;
-  json["geometry"] = geometry_of(phantom);
-  json["images"] = images_of(phantom);
-  json["mesh"] = {{"element", "quadratic tetrahedra"}, {"edge_length_mm", phantom.edge_length}};
+  json["geometry"] = geometry_of(phantom.anatomy);
+  json["images"] = images_of(phantom.images);
+  json["mesh"] = {{"element", "quadratic tetrahedra"},
+                  {"edge_length_mm", phantom.mechanics.edge_length}};
   for (const unsigned state : {0u, 1u}) {
     const char* name = similarity::state_names[state];
     json["gravity_direction_LPS"][name] = as_json(stages.scene.gravity[state]);

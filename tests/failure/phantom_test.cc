@@ -13,25 +13,25 @@ protected:
 
 TEST_F(Phantom, SizesThatContradictEachOther) {
   for (const unsigned n_ranks : {1u, 2u})
-    expect_refused(phantom("Phantom/Chest radius=45"), {"Phantom/Chest radius", "45", "100"},
-                   n_ranks);
+    expect_refused(phantom("Phantom/Anatomy/Chest radius=45"),
+                   {"Phantom/Anatomy/Chest radius", "45", "100"}, n_ranks);
 }
 
 TEST_F(Phantom, ValuesOutOfRange) {
-  expect_refused(phantom("Phantom/Poisson ratio=0.5"), {"Poisson ratio", "0.5"});
-  expect_refused(phantom("Phantom/Gland fraction=1.2"), {"Gland fraction", "1.2"});
-  expect_refused(phantom("Phantom/Rotation=0,0,90"), {"Rotation", "90"});
-  expect_refused(phantom("Phantom/Prone modality=US"), {"Prone modality", "US", "MR"});
-  expect_refused(phantom("Phantom/Chest=floating"), {"Chest=floating", "sliding"});
+  expect_refused(phantom("Phantom/Mechanics/Poisson ratio=0.5"), {"Poisson ratio", "0.5"});
+  expect_refused(phantom("Phantom/Anatomy/Gland fraction=1.2"), {"Gland fraction", "1.2"});
+  expect_refused(phantom("Phantom/Images/Rotation=0,0,90"), {"Rotation", "90"});
+  expect_refused(phantom("Phantom/Images/Prone modality=US"), {"Prone modality", "US", "MR"});
+  expect_refused(phantom("Phantom/Mechanics/Chest=floating"), {"Chest=floating", "sliding"});
 }
 
 TEST_F(Phantom, FieldOfViewThatShowsNothing) {
-  expect_refused(phantom("Phantom/Supine crop=40"), {"Phantom/Supine crop", "smaller"});
+  expect_refused(phantom("Phantom/Images/Supine crop=40"), {"Supine crop", "smaller"});
 }
 
 TEST_F(Phantom, TissueTooSoftForItsWeight) {
-  expect_refused(phantom("Phantom/Fat shear modulus=1") +
-                     Arguments{"--set", "Phantom/Mesh edge length=16", "--set",
+  expect_refused(phantom("Phantom/Mechanics/Fat shear modulus=1") +
+                     Arguments{"--set", "Phantom/Mechanics/Mesh edge length=16", "--set",
                                "Quasi-static/Maximum halvings=1", "--set",
                                "Quasi-static/Maximum iterations=5"},
                  {"load"}, 2);

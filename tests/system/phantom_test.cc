@@ -69,7 +69,7 @@ TEST_F(PhantomCommand, IsTheSameOnTwoRanks) {
 }
 
 TEST_F(PhantomCommand, FieldsLeadToTheLandmarks) {
-  const auto result = make("phantom", {"Phantom/Voxel edge=1.5"});
+  const auto result = make("phantom", {"Phantom/Images/Voxel edge=1.5"});
   const auto landmarks = evaluation::read_landmarks(result / "landmarks.csv");
   const auto prone = image::read_displacement(result / "unloaded_to_prone.nrrd"),
              supine = image::read_displacement(result / "unloaded_to_supine.nrrd");
@@ -92,10 +92,11 @@ TEST_F(PhantomCommand, FieldsLeadToTheLandmarks) {
 }
 
 TEST_F(PhantomCommand, WritesWhatACaseHolds) {
-  const auto result = make(
-      "phantom", {"Phantom/Chest=sliding", "Phantom/Supine modality=CT", "Phantom/Rotation=0,0,6",
-                  "Phantom/Supine offset=0.3,0.3,0.3", "Phantom/Push pressure=100",
-                  "Phantom/Label jitter=1", "Phantom/Bias field=0.1"});
+  const auto result =
+      make("phantom", {"Phantom/Mechanics/Chest=sliding", "Phantom/Images/Supine modality=CT",
+                       "Phantom/Images/Rotation=0,0,6", "Phantom/Images/Supine offset=0.3,0.3,0.3",
+                       "Phantom/Mechanics/Push pressure=100", "Phantom/Images/Label jitter=1",
+                       "Phantom/Images/Bias field=0.1"});
   for (const char* state : {"prone", "supine", "unloaded"}) {
     const auto picture = image::read_image(result / (std::string(state) + ".nii.gz"));
     const auto labels = image::read_labels(result / (std::string(state) + "_labels.nii.gz"));
@@ -140,8 +141,9 @@ TEST(Load, UndoesUnload) {
 // With the material and the springs that it was made with, tissue that slides on the
 // chest is unloaded to the truth, by either solver; held fixed it is not.
 TEST_F(PhantomCommand, TissueThatSlidesIsUnloadedToTheTruth) {
-  const auto phantom = make("phantom", {"Phantom/Chest=sliding", "Phantom/Gland ratio=1",
-                                        "Phantom/Fascia stiffness=4", "Phantom/Voxel edge=2"});
+  const auto phantom =
+      make("phantom", {"Phantom/Mechanics/Chest=sliding", "Phantom/Mechanics/Gland ratio=1",
+                       "Phantom/Mechanics/Fascia stiffness=4", "Phantom/Images/Voxel edge=2"});
   const auto error = [&](const std::string& chest, const std::string& state,
                          const std::string& solver) {
     const auto result = folder_ / (chest + state + solver);

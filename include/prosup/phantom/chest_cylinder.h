@@ -6,7 +6,7 @@
 
 namespace prosup::phantom {
 
-/// The chest of the phantom as a surface on which tissue can slide.
+/// The surface of the phantom's chest, on which tissue can slide.
 class ChestCylinder : public mechanics::Surface {
 public:
   explicit ChestCylinder(const Geometry& geometry) : radius_(geometry.chest_radius) {}

@@ -6,15 +6,15 @@
 
 namespace prosup::phantom {
 
-/// Voxels for the mesher, of about `spacing` mm: their outer faces lie exactly
-/// in the cut planes.
+/// Grid for the labels that are meshed, with voxels of about `spacing` mm. Its border lies
+/// exactly in the cut planes.
 image::VoxelGrid meshing_grid(const Geometry& geometry, double spacing);
 
-/// Voxels of the images of a state (0 prone, 1 supine). All centres lie between
-/// the cut planes, so that tissue ends at the border of the image only.
-/// @throws Error if rotation and crop leave less than a third of the width or
-/// length.
-image::VoxelGrid image_grid(const PhantomParameters& parameters, unsigned state);
+/// Grid of the images of one position. All voxel centres lie between the cut planes, so
+/// that tissue ends only at the border of the image.
+/// @throws Error if rotation and crop leave less than a third of the width or length.
+image::VoxelGrid image_grid(const Geometry& geometry, const ImagingParameters& images,
+                            Position position);
 
 } // namespace prosup::phantom
 

@@ -4,60 +4,72 @@
 #include <deal.II/base/parameter_acceptor.h>
 #include <deal.II/base/tensor.h>
 
-#include <array>
 #include <string>
 
+#include "prosup/core/position.h"
 #include "prosup/phantom/geometry.h"
 #include "prosup/phantom/texture.h"
 
 namespace prosup::phantom {
 
-/// Parameters of the numerical phantom, section "Phantom". States are numbered
-/// 0 prone, 1 supine.
-class PhantomParameters : public dealii::ParameterAcceptor {
-public:
-  PhantomParameters();
-  void declare_parameters(dealii::ParameterHandler& prm) override;
-  void parse_parameters(dealii::ParameterHandler& prm) override;
-
-  bool chest_slides() const { return chest_ == "sliding"; }
-  Modality modality(unsigned state) const { return modality_[state]; }
-  /// Standard deviation of the noise of a state's image.
-  double noise(unsigned state) const {
-    return modality_[state] == Modality::mr ? mr_noise_ : ct_noise_;
-  }
+/// What the phantom consists of, section "Phantom/Anatomy".
+struct AnatomyParameters {
+  void declare(dealii::ParameterHandler& prm);
 
   Geometry geometry;
-  double gland_fraction = 0.22;
-  unsigned seed = 1;
-  unsigned n_landmarks = 500;
+  double gland_fraction = 0.22; ///< of the tissue volume
+};
+
+/// Material and boundary conditions of the phantom, section "Phantom/Mechanics".
+struct MechanicsParameters {
+  void declare(dealii::ParameterHandler& prm);
+
+  bool chest_slides() const { return chest == "sliding"; }
 
   double fat_shear_modulus = 325.; ///< Pa
-  double gland_ratio = 1.;
-  double poisson_ratio = 0.45;
-  double edge_length = 10.;       ///< of the mesh, mm
-  double contact_stiffness = 1e4; ///< normal to a sliding chest, Pa/mm
-  double fascia_stiffness = 8.;   ///< springs on a sliding chest, Pa/mm
-  double push_pressure = 0.;      ///< on the side of the prone breast, Pa
-  double push_radius = 20.;       ///< standard deviation of its patch, mm
+  double gland_ratio = 1.;         ///< shear modulus of gland over that of fat
+  double poisson_ratio = 0.45;     ///< of all tissue
+  double edge_length = 10.;        ///< of the mesh, mm
+  std::string chest = "fixed";     ///< or "sliding"
+  double contact_stiffness = 1e4;  ///< of a sliding chest, along its normal, Pa/mm
+  double fascia_stiffness = 8.;    ///< of the springs on a sliding chest, Pa/mm
+  double push_pressure = 0.;       ///< on the left side of the prone breast, Pa
+  double push_radius = 20.;        ///< standard deviation of the pushed patch, mm
+};
 
+/// How the phantom is imaged, section "Phantom/Images".
+struct ImagingParameters {
+  void declare(dealii::ParameterHandler& prm);
+
+  Modality modality(Position position) const;
+  /// Standard deviation of the noise, in intensities of the image.
+  double noise(Position position) const {
+    return modality(position) == Modality::mr ? mr_noise : ct_noise;
+  }
+
+  PerPosition<std::string> modality_name{"MR", "MR"};
   double voxel_edge = 1.;             ///< mm
-  double anterior_margin = 48.;       ///< of the images beyond the unloaded skin, mm
+  double anterior_margin = 48.;       ///< in front of the unloaded skin, mm
   dealii::Tensor<1, 3> rotation;      ///< of the image axes about x, y, z, degrees
-  dealii::Tensor<1, 3> supine_offset; ///< of the grid, mm
+  dealii::Tensor<1, 3> supine_offset; ///< of the supine voxels, mm
   double supine_crop = 0.;            ///< mm
-  double bias_field = 0.;             ///< standard deviation of its logarithm
-  double label_jitter = 0.;           ///< standard deviation, mm
+  double mr_noise = 3.;
+  double ct_noise = 9.;     ///< HU
+  double bias_field = 0.;   ///< standard deviation of its logarithm
+  double label_jitter = 0.; ///< standard deviation, mm
+};
 
-private:
-  void declare_shape(dealii::ParameterHandler& prm);
-  void declare_mechanics(dealii::ParameterHandler& prm);
-  void declare_images(dealii::ParameterHandler& prm);
+/// Parameters of the numerical phantom, section "Phantom" and its subsections.
+class PhantomParameters : public dealii::ParameterAcceptor {
+public:
+  PhantomParameters() : ParameterAcceptor("Phantom") {}
+  void declare_parameters(dealii::ParameterHandler& prm) override;
 
-  std::string chest_ = "fixed";
-  std::array<std::string, 2> modality_names_{"MR", "MR"};
-  std::array<Modality, 2> modality_{};
-  double mr_noise_ = 3., ct_noise_ = 9.;
+  unsigned seed = 1; ///< of all random numbers
+  unsigned n_landmarks = 500;
+  AnatomyParameters anatomy;
+  MechanicsParameters mechanics;
+  ImagingParameters images;
 };
 
 } // namespace prosup::phantom

@@ -6,8 +6,8 @@
 
 namespace prosup::phantom {
 
-/// What random numbers are drawn for. Each purpose has a stream of its own, so
-/// that one can change without the others.
+/// Purposes of random numbers. Each has a stream of its own, so that changes to one do not
+/// affect the others.
 enum class Stream : unsigned {
   gland_shape,
   gland_detail,
@@ -15,20 +15,20 @@ enum class Stream : unsigned {
   septa,
   muscle,
   landmarks,
-  noise, ///< and the next ones, one for each state
+  noise, ///< and the following ones, one for each image
   bias = 16,
-  jitter = 32 ///< three for each state
+  jitter = 32 ///< three for each label image
 };
 
-/// Random numbers that are the same everywhere: the engine is that of the
-/// standard library, whose distributions are not the same everywhere.
+/// Random numbers that are the same on all systems. The engine is that of the standard library;
+/// its distributions are not used, since they differ between systems.
 class Random {
 public:
   Random(std::uint64_t seed, Stream stream, unsigned part = 0);
 
   /// Uniform in [0, 1).
   double uniform() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
-  /// Of mean 0 and standard deviation 1 (Box and Muller).
+  /// Normally distributed, with mean 0 and standard deviation 1 (Box and Muller).
   double normal();
 
 private:
@@ -37,8 +37,8 @@ private:
   bool has_spare_ = false;
 };
 
-/// Magnitude of a complex signal with Gaussian noise of standard deviation
-/// `sigma` in both channels: the noise of MR images.
+/// Magnitude of a complex signal with Gaussian noise of standard deviation `sigma` in both
+/// channels, as in MR images.
 double rician(double signal, double sigma, Random& random);
 
 } // namespace prosup::phantom

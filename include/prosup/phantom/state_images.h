@@ -7,23 +7,23 @@
 
 namespace prosup::phantom {
 
-/// Where in the unloaded configuration the tissue in each voxel comes from.
+/// The unloaded position of the tissue in each voxel of a loaded image.
 struct MaterialPoints {
-  image::VectorImage to_unloaded; ///< X - x, mm, where there is tissue
+  image::VectorImage to_unloaded; ///< X - x, mm, in tissue
   image::LabelImage in_tissue;    ///< 1 where the centre lies in the mesh
 };
 
-/// Looks the voxel centres up in the loaded configuration of a mesh.
+/// Finds the voxel centres in the loaded configuration of a mesh.
 MaterialPoints material_points(const image::VoxelGrid& grid, const mesh::UnloadedMesh& mesh);
 
-/// What spoils an image.
+/// Noise and bias field of an image.
 struct ImageErrors {
   double noise = 0.;      ///< standard deviation, Rician for MR, else Gaussian
   double bias_field = 0.; ///< standard deviation of the logarithm of a smooth factor; MR only
 };
 
-/// Makes the image and the labels of a state from its material points. `state`
-/// numbers the state, for the random numbers.
+/// Makes the image and the labels of a configuration from its material points. `state` is the
+/// number of the image, 0 to 2, which selects its random numbers.
 class StateImages {
 public:
   StateImages(const Anatomy& anatomy, const MaterialPoints& points, std::uint64_t seed,
@@ -32,8 +32,8 @@ public:
   image::LabelImage labels() const;
   image::ScalarImage image(const Texture& texture, Modality modality,
                            const ImageErrors& errors) const;
-  /// The labels with all boundaries displaced by a smooth random field of this
-  /// standard deviation, mm.
+  /// The labels with their boundaries displaced by a smooth random field with the standard
+  /// deviation `jitter`, mm.
   image::LabelImage jittered_labels(double jitter) const;
 
 private:

@@ -8,25 +8,23 @@
 
 namespace prosup::phantom {
 
-/// How an image is made: T1-weighted magnetic resonance without fat
-/// suppression (fat bright, gland dark, air 0; arbitrary units), or computed
-/// tomography (Hounsfield units).
+/// Modality of an image: T1-weighted magnetic resonance without fat suppression (fat bright,
+/// gland dark, air 0, arbitrary units), or computed tomography (Hounsfield units).
 enum class Modality { mr, ct };
 
 /// The names of the modalities, in the order of their enumerators.
 const std::vector<std::string>& modality_names();
 
-/// Intensities of an ideal image, without noise. Tissue is looked up where it
-/// lies in the unloaded configuration, so that its texture moves with it: fat
-/// with thin septa (Cooper's ligaments), gland and the skin. The chest, rigid,
-/// has muscle, ribs and lung.
+/// Intensities of an image without noise. Tissue consists of fat with thin septa (Cooper's
+/// ligaments), gland and skin. Its intensity is a function of the unloaded position, so that
+/// the texture moves with the tissue. The chest is rigid and has muscle, ribs and lung.
 class Texture {
 public:
   Texture(const Anatomy& anatomy, std::uint64_t seed);
 
-  /// At a point of the tissue, in the unloaded configuration.
+  /// Intensity of tissue at its unloaded position.
   double tissue(Modality modality, const Point<3>& X) const;
-  /// At a point of the chest, the same in all configurations.
+  /// Intensity of the chest, which is the same in all configurations.
   double chest(Modality modality, const Point<3>& x) const;
   double air(Modality modality) const;
 

@@ -10,38 +10,39 @@ namespace {
 using namespace prosup::phantom;
 
 /// Largest |x|/(width/2) and |z|/(length/2) of the corner voxels.
-double reach(const PhantomParameters& parameters, unsigned state) {
-  const image::VoxelGrid grid = image_grid(parameters, state);
+double reach(const ImagingParameters& images, Position position) {
+  const Geometry geometry;
+  const image::VoxelGrid grid = image_grid(geometry, images, position);
   double largest = 0.;
   for (unsigned corner = 0; corner < 8; ++corner) {
     double index[3];
     for (unsigned d = 0; d < 3; ++d)
       index[d] = (corner >> d & 1u) ? double(grid.size[d]) - 1. : 0.;
     const auto x = grid.physical(index[0], index[1], index[2]);
-    largest = std::max({largest, 2. * std::abs(x[0]) / parameters.geometry.width,
-                        2. * std::abs(x[2]) / parameters.geometry.length});
+    largest = std::max(
+        {largest, 2. * std::abs(x[0]) / geometry.width, 2. * std::abs(x[2]) / geometry.length});
   }
   return largest;
 }
 
 TEST(Grids, EndWithinTheCutPlanes) {
-  PhantomParameters parameters;
-  EXPECT_LE(reach(parameters, 0), 1.);
-  EXPECT_GT(reach(parameters, 0), 0.97);
-  parameters.supine_offset = dealii::Tensor<1, 3>({0.4, -0.3, 0.45});
-  parameters.rotation = dealii::Tensor<1, 3>({4., -8., 10.});
-  for (const unsigned state : {0u, 1u}) {
-    EXPECT_LE(reach(parameters, state), 1.);
-    EXPECT_GT(reach(parameters, state), 0.95);
+  ImagingParameters images;
+  EXPECT_LE(reach(images, Position::prone), 1.);
+  EXPECT_GT(reach(images, Position::prone), 0.97);
+  images.supine_offset = dealii::Tensor<1, 3>({0.4, -0.3, 0.45});
+  images.rotation = dealii::Tensor<1, 3>({4., -8., 10.});
+  for (const Position position : both_positions) {
+    EXPECT_LE(reach(images, position), 1.);
+    EXPECT_GT(reach(images, position), 0.95);
   }
 }
 
 TEST(Grids, OffsetShiftsTheSupineVoxelsByPartsOfOne) {
-  PhantomParameters parameters;
-  const auto before = image_grid(parameters, 1);
-  parameters.supine_offset = dealii::Tensor<1, 3>({0.25, 0.25, 0.25});
-  EXPECT_TRUE(before.coincides_with(image_grid(parameters, 0)));
-  const auto shifted = image_grid(parameters, 1);
+  ImagingParameters images;
+  const auto before = image_grid({}, images, Position::supine);
+  images.supine_offset = dealii::Tensor<1, 3>({0.25, 0.25, 0.25});
+  EXPECT_TRUE(before.coincides_with(image_grid({}, images, Position::prone)));
+  const auto shifted = image_grid({}, images, Position::supine);
   for (unsigned d = 0; d < 3; ++d)
     EXPECT_GT(std::abs(std::remainder(shifted.origin[d] - before.origin[d], 0.5)), 0.2);
 }
@@ -54,10 +55,11 @@ TEST(Grids, OfTheMesherEndInTheCutPlanes) {
 }
 
 TEST(Grids, RefuseToShowNextToNothing) {
-  PhantomParameters parameters;
-  parameters.supine_crop = 70.;
-  EXPECT_NO_THROW(image_grid(parameters, 0));
-  expect_error([&] { image_grid(parameters, 1); }, {"Phantom/Rotation", "Phantom/Supine crop"});
+  ImagingParameters images;
+  images.supine_crop = 70.;
+  EXPECT_NO_THROW(image_grid({}, images, Position::prone));
+  expect_error([&] { image_grid({}, images, Position::supine); },
+               {"Phantom/Images/Rotation", "Supine crop"});
 }
 
 } // namespace
