@@ -191,12 +191,12 @@ Along nearest_minimum(Information& information, const Along& along, double first
   return optimizer->GetCurrentPosition();
 }
 
-/// Places within reach, those of least value first, and each at a distance from
+/// Places within the search distance, those of least value first, and each at a distance from
 /// those before.
-std::vector<Along> candidates(const Information& information, double reach) {
+std::vector<Along> candidates(const Information& information, double search_distance) {
   std::vector<std::pair<double, Along>> places;
   const unsigned n_motions = information.GetNumberOfParameters();
-  const int n = int(reach / scan_step), n_along = 2 * n + 1;
+  const int n = int(search_distance / scan_step), n_along = 2 * n + 1;
   const auto n_places = unsigned(std::pow(n_along, n_motions) + 0.5);
   for (unsigned place = 0; place < n_places; ++place) {
     Along along(n_motions);
@@ -221,7 +221,7 @@ std::vector<Along> candidates(const Information& information, double reach) {
 
 IntensityAlignment align_intensities(const MaskedImage& target, const MaskedImage& source,
                                      const RigidTransform& start,
-                                     const std::vector<RigidMotion>& open, double reach) {
+                                     const std::vector<RigidMotion>& open, double search_distance) {
   const std::size_t n_all = std::end(levels)[-1].n_points;
   const ScalarImage target_image = clamped(target.image, points_in(target.mask, n_all));
   const ScalarImage source_image = clamped(source.image, points_in(source.mask, n_all));
@@ -238,8 +238,8 @@ IntensityAlignment align_intensities(const MaskedImage& target, const MaskedImag
     information->set_images(target_level, source_level, points_in(target.mask, level.n_points));
     if (open.empty())
       continue;
-    if (&level == levels && reach > 0.)
-      found = candidates(*information, reach);
+    if (&level == levels && search_distance > 0.)
+      found = candidates(*information, search_distance);
     for (Along& along : found)
       along = nearest_minimum(*information, along, level.first_step);
   }
@@ -248,7 +248,7 @@ IntensityAlignment align_intensities(const MaskedImage& target, const MaskedImag
   result.information_before = -(least = information->GetValue(zero));
   for (const Along& along : found) {
     const double value = information->GetValue(along);
-    if (value < least && (reach == 0. || along.inf_norm() <= reach)) {
+    if (value < least && (search_distance == 0. || along.inf_norm() <= search_distance)) {
       least = value;
       best = along;
     }

@@ -12,8 +12,6 @@ using namespace dealii;
 using image::DegreesOfFreedom;
 using image::LabelImage;
 using image::ScalarImage;
-using similarity::prone;
-using similarity::supine;
 
 namespace {
 
@@ -23,7 +21,7 @@ const std::vector<std::string>& freedom_names() {
 }
 
 constexpr double sigma_voxels = 2.;
-constexpr double cover = 2.; // mm below the surface where moving tissue shines through
+constexpr double cover = 2.; // mm below the surface that tissue outside the chest blurs
 
 /// The layer of a mask that lies from `cover` to `depth` below its surface.
 LabelImage layer(const ScalarImage& distance, double depth) {
@@ -39,57 +37,56 @@ PreAlignment::PreAlignment() : ParameterAcceptor("Pre-alignment") {}
 
 void PreAlignment::declare_parameters(ParameterHandler& prm) {
   prm.add_parameter("Method", method_,
-                    "What the supine chest wall is rigidly aligned by with the prone one. none: it "
-                    "lies there already. chest surface: the surfaces of the chest labels. chest "
-                    "intensities: these, and mutual information of the images in the chest wall "
-                    "for what the surfaces leave open. Units: none.",
+                    "How to align the supine chest wall with the prone one, by a rigid motion. "
+                    "none: it is aligned already. chest surface: by the surfaces of the chest "
+                    "labels. chest intensities: by the surfaces, and then, along directions in "
+                    "which these can slide, by the mutual information of the images in the chest "
+                    "wall.",
                     Patterns::Selection("none|chest surface|chest intensities"));
   prm.add_parameter("Degrees of freedom", freedom_,
-                    "What may be changed: translation, or rigid (rotation as well). Units: none.",
-                    one_of(freedom_names()));
-  prm.add_parameter("Depth", depth_,
-                    "Thickness of the layer below the surface of the chest label whose intensities "
-                    "are compared: the chest wall with its ribs, and not the organs, which move. "
-                    "Units: mm.",
+                    "translation, or rigid: translation and rotation.", one_of(freedom_names()));
+  prm.add_parameter("Layer depth", layer_depth_,
+                    "Depth below the surface of the chest label down to which intensities are "
+                    "compared. The layer should hold the chest wall with its ribs, but not the "
+                    "organs, which move. Units: mm.",
                     Patterns::Double(3., 1000.));
-  prm.add_parameter(
-      "Reach", reach_,
-      "How far along the surface of the chest the intensities are searched; ribs look "
-      "alike after one distance from rib to rib, so that more than half of it is "
-      "risky. Units: mm.",
-      Patterns::Double(0., 100.));
+  prm.add_parameter("Search distance", search_distance_,
+                    "Longest translation along the surface of the chest that chest intensities "
+                    "tries. It should be below half the distance between two ribs, since one rib "
+                    "looks like the next. Units: mm.",
+                    Patterns::Double(0., 100.));
 }
 
 Alignment PreAlignment::run(const ScalarImage& prone_image, const ScalarImage& supine_image,
                             const similarity::Scene& scene) const {
-  std::array<LabelImage, 2> chest;
-  std::array<ScalarImage, 2> distance;
-  for (const auto state : {prone, supine}) {
-    distance[state] =
-        image::signed_distance(image::select_labels(scene.labels[state], {scene.chest_label}));
-    chest[state] = layer(distance[state], depth_);
-    // The stairs of the voxels would look like a shape that holds the surfaces.
-    distance[state] = image::gaussian_smooth(
-        distance[state], sigma_voxels * std::cbrt(distance[state].grid.voxel_volume()));
+  PerPosition<LabelImage> chest;
+  PerPosition<ScalarImage> distance;
+  for (const Position position : both_positions) {
+    distance[position] = image::signed_distance(
+        image::select_labels(scene.labels[unsigned(position)], {scene.chest_label}));
+    chest[position] = layer(distance[position], layer_depth_);
+    // Otherwise the stair steps of the voxels would lock the surfaces in place.
+    distance[position] = image::gaussian_smooth(
+        distance[position], sigma_voxels * std::cbrt(distance[position].grid.voxel_volume()));
   }
   Alignment result;
   result.method = method_;
   const auto align_surfaces = [&](DegreesOfFreedom freedom) {
     result.surface =
-        image::align_surfaces(distance[prone], distance[supine], freedom, result.transform);
+        image::align_surfaces(distance.prone, distance.supine, freedom, result.transform);
     result.transform = result.surface.transform;
   };
-  const auto align_intensities = [&](double reach) {
+  const auto align_intensities = [&](double search_distance) {
     if (method_ == "chest surface")
       return;
     result.intensities =
-        image::align_intensities({prone_image, chest[prone]}, {supine_image, chest[supine]},
-                                 result.transform, result.surface.open, reach);
+        image::align_intensities({prone_image, chest.prone}, {supine_image, chest.supine},
+                                 result.transform, result.surface.open, search_distance);
     result.transform = result.intensities->transform;
   };
   align_surfaces(DegreesOfFreedom::translation);
   const double distance_before = result.surface.distance_before;
-  align_intensities(reach_);
+  align_intensities(search_distance_);
   if (freedom_ == "rigid") {
     align_surfaces(DegreesOfFreedom::rigid);
     align_surfaces(DegreesOfFreedom::translation);
@@ -109,7 +106,7 @@ std::string describe(const Alignment& alignment) {
              shift[0], shift[1], shift[2], turn[0], turn[1], turn[2], surface.distance_before,
              surface.distance_after, surface.n_points);
   if (!surface.open.empty())
-    text += format(", free to slide in %zu direction%s", surface.open.size(),
+    text += format(", can slide along each other in %zu direction%s", surface.open.size(),
                    surface.open.size() == 1 ? "" : "s");
   if (intensities)
     text += format("\n  mutual information in the chest wall: %.3f -> %.3f",

@@ -8,52 +8,52 @@
 
 namespace prosup::image {
 
-/// What a rigid alignment may change.
+/// The motions that a rigid alignment may use; rigid is translation and rotation.
 enum class DegreesOfFreedom { translation, rigid };
 
-/// Two surfaces brought together.
+/// Result of align_surfaces().
 struct SurfaceAlignment {
   RigidTransform transform;      ///< from the source to the target
   double distance_before = 0.;   ///< median distance of the surfaces at the start, mm
-  double distance_after = 0.;    ///< the same with `transform`, mm
-  std::size_t n_points = 0;      ///< of either surface that the other image shows
+  double distance_after = 0.;    ///< median distance with `transform`, mm
+  std::size_t n_points = 0;      ///< points of both surfaces that were used
   std::vector<RigidMotion> open; ///< motions about the centre of `transform` that the surfaces
-                                 ///< leave open, of some 1 mm each
+                                 ///< do not determine, of about 1 mm each
 };
 
-/// Takes the zero level of `source` to that of `target`, both signed distances
-/// (mm), by Gauss-Newton steps from `start` on the distances of each surface's
-/// points in the other map, with Cauchy weights; points that the other image does
-/// not show do not count. Motions by which the surfaces slide along each other (in
-/// a plane, along and about the axis of a cylinder) are left as they are.
-/// `start` turns about its own centre if it turns at all.
+/// Finds the motion that takes the zero level of `source` to that of `target`. Both are signed
+/// distances, mm. Gauss-Newton steps from `start` minimise the distances of the points of each
+/// surface in the map of the other, with Cauchy weights. Points outside the other image are
+/// not used. Motions that slide the surfaces along each other (in a plane, or along and about
+/// the axis of a cylinder) are not determined by these distances; they keep their value in
+/// `start`, which may rotate about any centre.
 /// @throws Error if hardly any point of either surface is in the other image.
 SurfaceAlignment align_surfaces(const ScalarImage& target, const ScalarImage& source,
                                 DegreesOfFreedom freedom, const RigidTransform& start = {});
 
-/// An image and the mask of the part of it that is compared, on any grid.
+/// An image and the mask of its part that is compared. The grids may differ.
 struct MaskedImage {
   const ScalarImage& image;
   const LabelImage& mask;
 };
 
-/// Intensities brought together.
+/// Result of align_intensities().
 struct IntensityAlignment {
   RigidTransform transform;       ///< from the source to the target
   double information_before = 0.; ///< mutual information at the start, nats
-  double information_after = 0.;
+  double information_after = 0.;  ///< mutual information with `transform`, nats
 };
 
-/// Improves `start` by motions of the span of `open`, maximising the mutual
-/// information (Mattes et al., IEEE Trans. Med. Imaging 22, 2003; ITK's
-/// implementation) of `target` inside its mask with `source`, coarse to fine. Looks
-/// for the largest maximum up to `reach` mm away along each motion, and for the
-/// nearest one if that is 0. Intensities are clamped to what occurs in the masks.
-/// The result does not depend on the number of threads.
-/// @throws Error if the masks or what both images show are too small.
+/// Improves `start` by linear combinations of the motions in `open`. Maximises the mutual
+/// information (Mattes et al., IEEE Trans. Med. Imaging 22, 2003; implementation of ITK) of
+/// `target` within its mask with `source`, from coarse to fine images. Searches for the global
+/// maximum up to `search_distance` mm along each motion, or if that is 0 for the nearest
+/// maximum. Intensities are clamped to the range within the masks. The result does not depend
+/// on the number of threads.
+/// @throws Error if the masks or their overlap are too small.
 IntensityAlignment align_intensities(const MaskedImage& target, const MaskedImage& source,
                                      const RigidTransform& start,
-                                     const std::vector<RigidMotion>& open, double reach);
+                                     const std::vector<RigidMotion>& open, double search_distance);
 
 } // namespace prosup::image
 

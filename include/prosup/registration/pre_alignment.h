@@ -11,7 +11,7 @@
 
 namespace prosup::registration {
 
-/// How the supine chest comes to lie on the prone one.
+/// The rigid motion that takes the supine chest to the prone one, and how well it fits.
 struct Alignment {
   image::RigidTransform transform; ///< from supine to prone positions
   std::string method;
@@ -19,14 +19,14 @@ struct Alignment {
   std::optional<image::IntensityAlignment> intensities;
 };
 
-/// Rigid alignment of the chest walls before anything else, section
-/// "Pre-alignment". The paper takes it as done by hand, on chest wall and sternum.
+/// Rigid alignment of the chest walls, before anything else; section "Pre-alignment". In the
+/// paper this was done by hand, on chest wall and sternum.
 ///
-/// The surfaces of the chest labels come first: it is on them that the model holds
-/// the tissue. They leave open what slides along them (along and about the axis of a
-/// chest that is a cylinder); the intensities of the chest wall, with its ribs,
-/// decide that. Rotations come from the surfaces only: about the axis of a cylinder
-/// with oblique ribs, a rotation and a translation look the same.
+/// First the surfaces of the chest labels are aligned, since the model holds the tissue on
+/// them. They do not determine motions that slide them along each other, such as along and
+/// about the axis of a cylindrical chest. Translations of this kind are found from the
+/// intensities of the chest wall with its ribs. Rotations are found from the surfaces alone:
+/// about the axis of a cylinder with oblique ribs, a rotation looks like a translation.
 class PreAlignment : public dealii::ParameterAcceptor {
 public:
   PreAlignment();
@@ -34,20 +34,20 @@ public:
 
   bool wanted() const { return method_ != "none"; }
 
-  /// For one rank. The images are as they were read; they need not lie on the
-  /// voxels of the scene's labels.
-  /// @throws Error if the chest walls have nothing in common.
+  /// For one rank. The images are as they were read; their voxels may differ from those of
+  /// the labels of the scene.
+  /// @throws Error if the chest walls do not overlap.
   Alignment run(const image::ScalarImage& prone, const image::ScalarImage& supine,
                 const similarity::Scene& scene) const;
 
 private:
   std::string method_ = "none";
   std::string freedom_ = "rigid";
-  double depth_ = 30.; ///< mm
-  double reach_ = 12.; ///< mm
+  double layer_depth_ = 30.;     ///< mm
+  double search_distance_ = 12.; ///< mm
 };
 
-/// One line on what was found.
+/// A few lines for the log.
 std::string describe(const Alignment& alignment);
 
 } // namespace prosup::registration
