@@ -63,11 +63,11 @@ constexpr unsigned max_iterations = 30;
 
 } // namespace
 
-/// The mesh in one configuration: finds the tetrahedron at a point, or the
-/// surface triangle closest to it.
-class PointMapper::Configuration {
+/// The mesh in one configuration. Finds the tetrahedron that contains a point, or the closest
+/// triangle of the surface.
+class PointMapper::PlacedMesh {
 public:
-  /// A point beside the mesh in the other configuration.
+  /// A point outside the mesh, mapped to the other configuration.
   struct Outside {
     Point<3> position;
     Tensor<2, 3> gradient; ///< of the position
@@ -75,13 +75,13 @@ public:
     double distance;
   };
 
-  Configuration(const std::vector<Point<3>>& nodes, const TetLocator::Cells& cells,
-                const std::vector<Face>& surface)
+  PlacedMesh(const std::vector<Point<3>>& nodes, const TetLocator::Cells& cells,
+             const std::vector<Face>& surface)
       : nodes_(nodes), cells_(cells), surface_(surface), cell_locator_(nodes, cells),
         surface_locator_(nodes, surface) {}
 
-  /// Where `p` goes with the mesh to the configuration `other`; nothing outside.
-  std::optional<Point<3>> map_inside(const Point<3>& p, const Configuration& other) const {
+  /// The position of `p` in `other`, or nothing if it is outside the mesh.
+  std::optional<Point<3>> map_inside(const Point<3>& p, const PlacedMesh& other) const {
     const auto hit = cell_locator_.find(p);
     if (!hit)
       return {};
@@ -91,8 +91,9 @@ public:
     return mapped;
   }
 
-  /// Where `p` goes with the closest point of the surface, of which `face` is near, if known.
-  Outside map_outside(const Point<3>& p, const Configuration& other, std::size_t face = 0) const {
+  /// The position of `p` in `other` if it moves with the closest point of the surface. The
+  /// search starts at `face`.
+  Outside map_outside(const Point<3>& p, const PlacedMesh& other, std::size_t face = 0) const {
     const SurfaceLocator::Hit hit = surface_locator_.closest(p, face);
     Outside mapped{p, Tensor<2, 3>(dealii::unit_symmetric_tensor<3>()), hit.face,
                    std::sqrt(hit.squared_distance)};
@@ -105,7 +106,7 @@ public:
   }
 
 private:
-  Tensor<1, 3> displacement(unsigned node, const Configuration& other) const {
+  Tensor<1, 3> displacement(unsigned node, const PlacedMesh& other) const {
     return other.nodes_[node] - nodes_[node];
   }
 
@@ -120,24 +121,24 @@ PointMapper::PointMapper(const mesh::UnloadedMesh& mesh) {
   check(mesh);
   const auto& cells = mesh.mesh.cells;
   const std::vector<Face> surface = surface_faces(cells);
-  loaded_ = std::make_unique<Configuration>(mesh.mesh.points, cells, surface);
-  unloaded_ = std::make_unique<Configuration>(mesh.unloaded, cells, surface);
+  loaded_ = std::make_unique<PlacedMesh>(mesh.mesh.points, cells, surface);
+  unloaded_ = std::make_unique<PlacedMesh>(mesh.unloaded, cells, surface);
 }
 
 PointMapper::~PointMapper() = default;
 PointMapper::PointMapper(PointMapper&&) noexcept = default;
 PointMapper& PointMapper::operator=(PointMapper&&) noexcept = default;
 
-MappedPoint PointMapper::map(const Point<3>& point, State from) const {
+MappedPoint PointMapper::map(const Point<3>& point, Configuration from) const {
   if (!is_finite(point))
     throw Error("A point to be mapped has a coordinate that is not a finite number; coordinates "
                 "are LPS, mm.");
-  const Configuration& here = from == State::loaded ? *loaded_ : *unloaded_;
-  const Configuration& there = from == State::loaded ? *unloaded_ : *loaded_;
+  const PlacedMesh& here = from == Configuration::loaded ? *loaded_ : *unloaded_;
+  const PlacedMesh& there = from == Configuration::loaded ? *unloaded_ : *loaded_;
   if (const auto mapped = here.map_inside(point, there))
     return {*mapped, 0.};
-  const Configuration::Outside mapped = here.map_outside(point, there);
-  if (from == State::unloaded)
+  const PlacedMesh::Outside mapped = here.map_outside(point, there);
+  if (from == Configuration::unloaded)
     return {mapped.position, mapped.distance};
   return {inverse_outside(point, mapped.position, mapped.face), mapped.distance};
 }
@@ -150,7 +151,7 @@ Point<3> PointMapper::inverse_outside(const Point<3>& loaded, const Point<3>& gu
     Tensor<2, 3> gradient = dealii::unit_symmetric_tensor<3>(); // in the mesh a plain step will do
     std::optional<Point<3>> mapped = unloaded_->map_inside(unloaded, *loaded_);
     if (!mapped) {
-      const Configuration::Outside beside = unloaded_->map_outside(unloaded, *loaded_, face);
+      const PlacedMesh::Outside beside = unloaded_->map_outside(unloaded, *loaded_, face);
       mapped = beside.position;
       face = beside.face;
       gradient = beside.gradient;

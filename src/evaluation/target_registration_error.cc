@@ -52,8 +52,8 @@ std::vector<MappedLandmark> map_landmarks(const std::vector<Landmark>& landmarks
                                           const PointMapper& prone, const PointMapper& supine) {
   std::vector<MappedLandmark> mapped;
   for (const Landmark& landmark : landmarks)
-    mapped.push_back({landmark, prone.map(landmark.prone, State::loaded),
-                      supine.map(landmark.supine, State::loaded)});
+    mapped.push_back({landmark, prone.map(landmark.prone, Configuration::loaded),
+                      supine.map(landmark.supine, Configuration::loaded)});
   return mapped;
 }
 

@@ -12,7 +12,6 @@ namespace {
 
 using dealii::Point;
 using evaluation::PointMapper;
-using evaluation::State;
 using image::LabelImage;
 using image::VectorImage;
 using image::VoxelGrid;

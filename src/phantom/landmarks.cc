@@ -8,10 +8,10 @@
 
 namespace prosup::phantom {
 
+using evaluation::Configuration;
 using evaluation::Landmark;
 using evaluation::MappedPoint;
 using evaluation::PointMapper;
-using evaluation::State;
 
 namespace {
 
@@ -46,8 +46,8 @@ std::vector<Landmark> sample_landmarks(const Geometry& geometry,
     const Point<3> X(x, y, z);
     if (!geometry.in_tissue(X))
       continue;
-    const MappedPoint in_prone = prone.map(X, State::unloaded),
-                      in_supine = supine.map(X, State::unloaded);
+    const MappedPoint in_prone = prone.map(X, Configuration::unloaded),
+                      in_supine = supine.map(X, Configuration::unloaded);
     if (in_prone.distance_outside == 0. && is_seen(grids.prone, in_prone.position) &&
         is_seen(grids.supine, in_supine.position))
       landmarks.push_back(

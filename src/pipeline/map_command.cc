@@ -20,7 +20,7 @@ void run_map(const MapRequest& request) {
   require_finished(request.result);
   std::vector<evaluation::NamedPoint> points = evaluation::read_points(request.points);
   std::size_t n_outside = 0;
-  const auto apply = [&](const PointMapper& mapper, evaluation::State from) {
+  const auto apply = [&](const PointMapper& mapper, evaluation::Configuration from) {
     for (evaluation::NamedPoint& point : points) {
       const MappedPoint mapped = mapper.map(point.position, from);
       n_outside += mapped.distance_outside > far_outside;
@@ -28,9 +28,9 @@ void run_map(const MapRequest& request) {
     }
   };
   if (request.from != "unloaded" && request.from != request.to)
-    apply(read_mapper(request.result, request.from), evaluation::State::loaded);
+    apply(read_mapper(request.result, request.from), evaluation::Configuration::loaded);
   if (request.to != "unloaded" && request.from != request.to)
-    apply(read_mapper(request.result, request.to), evaluation::State::unloaded);
+    apply(read_mapper(request.result, request.to), evaluation::Configuration::unloaded);
   if (n_outside > 0)
     std::fprintf(stderr,
                  "prosup: %zu times a point lay more than %g mm outside the mesh; it was moved "

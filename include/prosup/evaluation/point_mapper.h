@@ -11,7 +11,7 @@ namespace prosup::evaluation {
 using dealii::Point;
 
 /// One of the two configurations of an UnloadedMesh.
-enum class State { loaded, unloaded };
+enum class Configuration { loaded, unloaded };
 
 /// A point in the other configuration, and how far outside the mesh it was in
 /// its own (mm; 0 inside).
@@ -41,26 +41,28 @@ public:
 
   /// Maps a point given in the configuration `from` to the other one.
   /// @throws Error if the point is not finite.
-  MappedPoint map(const Point<3>& point, State from) const;
+  MappedPoint map(const Point<3>& point, Configuration from) const;
 
-  Point<3> to_unloaded(const Point<3>& loaded) const { return map(loaded, State::loaded).position; }
+  Point<3> to_unloaded(const Point<3>& loaded) const {
+    return map(loaded, Configuration::loaded).position;
+  }
   Point<3> to_loaded(const Point<3>& unloaded) const {
-    return map(unloaded, State::unloaded).position;
+    return map(unloaded, Configuration::unloaded).position;
   }
 
-  /// Distance from a point to the mesh in configuration `state`, mm; 0 inside.
-  double distance_outside(const Point<3>& point, State state) const {
-    return map(point, state).distance_outside;
+  /// Distance from a point to the mesh in a configuration, mm; 0 inside.
+  double distance_outside(const Point<3>& point, Configuration configuration) const {
+    return map(point, configuration).distance_outside;
   }
 
 private:
-  class Configuration;
+  class PlacedMesh;
 
   /// X near `guess` with X + d(c(X)) = loaded, by Newton's method where it serves; `face` of
   /// the surface is near c.
   Point<3> inverse_outside(const Point<3>& loaded, const Point<3>& guess, std::size_t face) const;
 
-  std::unique_ptr<Configuration> loaded_, unloaded_;
+  std::unique_ptr<PlacedMesh> loaded_, unloaded_;
 };
 
 } // namespace prosup::evaluation

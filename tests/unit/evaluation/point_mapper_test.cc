@@ -43,7 +43,7 @@ TEST(PointMapper, IsExactForAnAffineMap) {
   for (const auto& X : random_points(low, high, 2000)) {
     EXPECT_LT(mapper.to_loaded(X).distance(affine(X)), 1e-10);
     EXPECT_LT(mapper.to_unloaded(affine(X)).distance(X), 1e-10);
-    EXPECT_EQ(mapper.distance_outside(X, State::unloaded), 0.);
+    EXPECT_EQ(mapper.distance_outside(X, Configuration::unloaded), 0.);
   }
 }
 
@@ -67,7 +67,7 @@ TEST(PointMapper, ThereAndBackReturnsThePoint) {
   const PointMapper mapper(bent_mesh());
   unsigned n_mapped = 0;
   for (const auto& x : random_points(low, high, 5000)) {
-    const MappedPoint there = mapper.map(x, State::loaded);
+    const MappedPoint there = mapper.map(x, Configuration::loaded);
     EXPECT_EQ(there.distance_outside, 0.);
     EXPECT_LT(mapper.to_loaded(there.position).distance(x), 1e-6);
     n_mapped += there.position.distance(x) > 0.5;
@@ -91,10 +91,11 @@ TEST(PointMapper, OutsideMovesWithTheClosestPoint) {
   const AffineMap affine = stretch_and_shear();
   const PointMapper mapper(affine_mesh(box_of_tets(low, high, 4), affine));
   const Point<3> foot(high[0], 3., 7.), above(high[0] + 12., 3., 7.);
-  const MappedPoint mapped = mapper.map(above, State::unloaded);
+  const MappedPoint mapped = mapper.map(above, Configuration::unloaded);
   EXPECT_NEAR(mapped.distance_outside, 12., 1e-9);
   EXPECT_LT(mapped.position.distance(above + (affine(foot) - foot)), 1e-9);
-  EXPECT_NEAR(mapper.distance_outside(Point<3>(1e4, 3., 7.), State::unloaded), 1e4 - high[0], 1e-6);
+  EXPECT_NEAR(mapper.distance_outside(Point<3>(1e4, 3., 7.), Configuration::unloaded),
+              1e4 - high[0], 1e-6);
 }
 
 TEST(PointMapper, OutsideThereAndBackReturnsThePoint) {
@@ -102,7 +103,7 @@ TEST(PointMapper, OutsideThereAndBackReturnsThePoint) {
   const dealii::Tensor<1, 3> margin({4., 4., 4.});
   unsigned n_outside = 0;
   for (const auto& x : random_points(low - margin, high + margin, 3000)) {
-    const MappedPoint there = mapper.map(x, State::loaded);
+    const MappedPoint there = mapper.map(x, Configuration::loaded);
     EXPECT_LT(mapper.to_loaded(there.position).distance(x), 1e-3);
     n_outside += there.distance_outside > 1.;
   }

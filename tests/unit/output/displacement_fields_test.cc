@@ -105,7 +105,7 @@ TEST_F(Fields, AreFiniteAndContinuousOutside) {
     const double length = value(field, v).norm();
     ASSERT_TRUE(std::isfinite(length));
     largest = std::max(largest, length);
-    const auto mapped = mapper.map(p, evaluation::State::unloaded);
+    const auto mapped = mapper.map(p, evaluation::Configuration::unloaded);
     if (mapped.distance_outside == 0.)
       largest_in_mesh = std::max(largest_in_mesh, length);
     if (mapped.distance_outside > 0. && mapped.distance_outside < 1.) {
