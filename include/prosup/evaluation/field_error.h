@@ -9,22 +9,23 @@
 
 namespace prosup::evaluation {
 
-/// Distances |p + d(p) - s| of the supine landmarks s from where a displacement field
-/// d, mm, carries the prone ones p; the field is that of any method, and interpolated
-/// linearly between its voxels.
-/// @throws Error if there is no landmark, or the field is not finite at one.
+/// Statistics of the distances |p + d(p) - s| between supine landmarks s and the prone
+/// landmarks p, moved by the displacement field d, mm, of any method. The field is
+/// interpolated linearly between voxels.
+/// @throws Error if there is no landmark, or if the field is not finite at a landmark.
 ErrorStatistics field_error(const std::vector<Landmark>& landmarks,
                             const image::VectorImage& prone_to_supine);
 
-/// How a map x + d(x) changes volume in a mask.
+/// Changes of volume by a map x + d(x) within a mask.
 struct FieldJacobian {
   double min = 1.;
-  double folded_fraction = 0.; ///< of the voxels, where J <= 0
+  double folded_fraction = 0.; ///< fraction of voxels with J <= 0
 };
 
-/// J = det(1 + grad d) by central differences of the voxels, at those of `mask` that are
-/// not 0 and have neighbours on all sides.
-/// @throws Error if the mask has no such voxel or is not on the voxels of the field.
+/// J = det(1 + grad d) by central differences, at the voxels where `mask` is not 0 and that
+/// have neighbours on all sides.
+/// @throws Error if there is no such voxel, or if the mask does not have the voxels of the
+/// field.
 FieldJacobian field_jacobian(const image::VectorImage& displacement, const image::LabelImage& mask);
 
 } // namespace prosup::evaluation

@@ -12,20 +12,20 @@ namespace prosup::evaluation {
 
 using dealii::Point;
 
-/// One anatomical point seen in both images, LPS mm. The unloaded position is
-/// known for numerical phantoms only.
+/// An anatomical point that is visible in both images, LPS mm. Its unloaded position is known
+/// only in numerical phantoms.
 struct Landmark {
   std::string id;
   Point<3> prone, supine;
   std::optional<Point<3>> unloaded;
 };
 
-/// Reads landmarks from a CSV file with a header that names at least the columns
-/// id, prone_x, prone_y, prone_z, supine_x, supine_y, supine_z, in any order, and
-/// all or none of unloaded_x, unloaded_y, unloaded_z; other columns are ignored.
-/// @throws Error that names the file, the line and what is allowed, if the file
-/// is missing or empty, a column is missing or occurs twice, a row has too many
-/// or too few values, a number is not finite, or an id occurs twice.
+/// Reads landmarks from a CSV file. The header must name the columns id, prone_x, prone_y,
+/// prone_z, supine_x, supine_y and supine_z, in any order, and all or none of unloaded_x,
+/// unloaded_y and unloaded_z. Other columns are ignored.
+/// @throws Error that names the file, the line and what is allowed, if the file is missing or
+/// empty, a column is missing or occurs twice, a row has too many or too few values, a number
+/// is not finite, or an id occurs twice.
 std::vector<Landmark> read_landmarks(const std::filesystem::path& file);
 
 } // namespace prosup::evaluation

@@ -8,15 +8,14 @@
 
 namespace prosup::evaluation {
 
-/// Writes the landmarks of a result: id, prone, supine, unloaded_from_prone,
-/// unloaded_from_supine (x, y, z each; LPS mm) and tre_mm, the distance of the
-/// last two.
+/// Writes the landmarks of a result: id, prone, supine, unloaded_from_prone and
+/// unloaded_from_supine (x, y, z each; LPS mm), and tre_mm, the distance between the last two.
 /// @throws Error if a coordinate is not finite or the file cannot be written.
 void write_landmarks(const std::vector<MappedLandmark>& landmarks,
                      const std::filesystem::path& file);
 
-/// Writes landmarks as read_landmarks() reads them, to 1e-6 mm; with the
-/// unloaded positions if all are known.
+/// Writes landmarks in the format of read_landmarks(), to 1e-6 mm, with the unloaded positions
+/// if all are known.
 /// @throws Error if a coordinate is not finite or the file cannot be written.
 void write_landmarks(const std::vector<Landmark>& landmarks, const std::filesystem::path& file);
 

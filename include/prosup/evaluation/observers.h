@@ -16,57 +16,57 @@ struct Observer {
   std::vector<Landmark> landmarks;
 };
 
-/// Reads an observer; the name is that of the file. @throws Error as read_landmarks().
+/// Reads the landmarks of an observer, who is named after the file.
+/// @throws Error as read_landmarks().
 Observer read_observer(const std::filesystem::path& file);
 
-/// Reads a control observer, who was shown the prone landmarks of `first` and picked
-/// their supine partners: CSV with the columns id, supine_x, supine_y, supine_z, or
-/// points as read_points() reads them. The prone positions are those of `first`.
+/// Reads a control observer, who saw the prone landmarks of `first` and picked the supine
+/// positions: a CSV file with the columns id, supine_x, supine_y and supine_z, or a file for
+/// read_points(). The prone positions are those of `first`.
 /// @throws Error as read_points(), or for an id that `first` does not have.
 Observer read_control_observer(const std::filesystem::path& file, const Observer& first);
 
-/// Which landmarks a figure is of.
+/// The landmarks over which a statistic is taken.
 enum class Selection { all, reliable };
 
-/// A row of the tables, mm. `error` is empty (n = 0) if no landmark was left.
+/// A row of the tables, mm. `error` is empty (n = 0) if no landmark is left.
 struct ObserverRow {
   std::string observer;
   Selection selection;
-  ErrorStatistics initial; ///< distance of prone and supine position
+  ErrorStatistics initial; ///< distance between prone and supine position
   ErrorStatistics error;   ///< target registration error
 };
 
-/// How far two observers were apart, mm.
+/// Distances between the positions of two observers, mm.
 struct ObserverDistance {
   std::string first, second;
   std::string state; ///< prone or supine
   ErrorStatistics all, reliable;
 };
 
-/// Landmarks of several observers, after Eiben et al. (2016): one that two observers
-/// place further apart than a limit (10 mm there) may be of two structures and does
-/// not count. Those of all observers within the limit are then taken together
-/// ("Two observers, combined" of Table 3); the mean position of the observers is
-/// an addition to the paper.
+/// Landmarks of several observers, as in Eiben et al. (2016). If two observers place a landmark
+/// further apart than a limit (10 mm in the paper), they may have picked different structures,
+/// and the landmark is excluded. The remaining landmarks of all observers are pooled ("Two
+/// observers, combined" in Table 3). The mean position of the observers is not in the paper.
 class ObserverStudy {
 public:
-  /// The landmarks are those that all observers have, by id.
-  /// @param exclude_above limit of the distance, mm
-  /// @throws Error if there is no observer, or no landmark that all have.
+  /// Uses the landmarks whose id all observers have.
+  /// @param exclude_above largest distance between two observers, mm
+  /// @throws Error if there is no observer, or no landmark that all of them have.
   ObserverStudy(std::vector<Observer> observers, double exclude_above);
 
   std::size_t n_landmarks() const { return common_[0].landmarks.size(); }
-  /// Landmarks that some observer does not have.
+  /// Number of landmarks that at least one observer does not have.
   std::size_t n_incomplete() const { return n_incomplete_; }
   /// Ids of the landmarks that are excluded.
   const std::vector<std::string>& outliers() const { return outliers_; }
 
-  /// Every pair of observers, in both states; a pair that has the same positions in
-  /// a state, as a control observer does, is left out there. Table 5.
+  /// Each pair of observers, prone and supine (Table 5). Pairs with identical positions are
+  /// left out, such as the prone ones of a control observer.
   std::vector<ObserverDistance> distances() const;
 
-  /// Each observer with all landmarks; then the reliable ones of each, of all
-  /// together, and of their mean positions. Table 3.
+  /// Table 3: each observer with all landmarks, then with the reliable ones, then the reliable
+  /// landmarks of all observers, pooled and as mean positions.
   std::vector<ObserverRow> rows(const PointMapper& prone, const PointMapper& supine) const;
 
 private:
@@ -79,15 +79,15 @@ private:
   std::size_t n_incomplete_ = 0;
 };
 
-/// Writes both tables as one CSV file, one figure a row: quantity (initial_distance,
-/// registration_error, observer_distance_prone, observer_distance_supine), observer,
-/// landmarks (all, reliable), n, mean_mm, std_mm, max_mm.
+/// Writes both tables to one CSV file with the columns quantity (initial_distance,
+/// registration_error, observer_distance_prone or observer_distance_supine), observer,
+/// landmarks (all or reliable), n, mean_mm, std_mm and max_mm.
 /// @throws Error if the file cannot be written.
 void write_observer_tables(const std::vector<ObserverRow>& rows,
                            const std::vector<ObserverDistance>& distances,
                            const std::filesystem::path& file);
 
-/// The tables as Markdown, in the form of Tables 3 and 5 of the paper.
+/// The tables in Markdown, in the form of Tables 3 and 5 of the paper.
 std::string observer_tables(const std::vector<ObserverRow>& rows,
                             const std::vector<ObserverDistance>& distances);
 

@@ -13,33 +13,32 @@ using dealii::Point;
 /// One of the two configurations of an UnloadedMesh.
 enum class Configuration { loaded, unloaded };
 
-/// A point in the other configuration, and how far outside the mesh it was in
-/// its own (mm; 0 inside).
+/// Result of mapping a point.
 struct MappedPoint {
-  Point<3> position;
-  double distance_outside;
+  Point<3> position;       ///< in the other configuration, LPS mm
+  double distance_outside; ///< from the given point to the mesh, mm; 0 inside
 };
 
 /// Maps points between the loaded and the unloaded configuration of one breast.
 ///
-/// In the mesh the map is that of the linear elements: the barycentric weights
-/// of the tetrahedron that holds the point are applied to its corners in the
-/// other configuration. Outside, an unloaded point X moves with the closest point c of
-/// the mesh surface, X + d(c), which continues the map without a jump, and a loaded one to
-/// where that map comes from, so that the two are inverse to each other; where the
-/// inverse is not found (in folds of the skin) to the nearest point tried.
+/// Inside the mesh the map is that of the linear elements: the barycentric weights of a point
+/// in its tetrahedron are applied to the corners in the other configuration. Outside, an
+/// unloaded point X is mapped to X + u(c), where u(c) is the displacement of the closest point
+/// c on the surface of the mesh; this continues the map without a jump. A loaded point is
+/// mapped by the inverse of this. Where the inverse cannot be found, in folds of the skin, the
+/// nearest point that was tried is returned.
 ///
-/// Queries may be made from several threads at once.
+/// May be used from several threads at once.
 class PointMapper {
 public:
-  /// @throws Error if the mesh has no cells, if `unloaded` has another length
-  /// than the nodes, or if a coordinate is not finite.
+  /// @throws Error if the mesh has no cells, if the number of unloaded positions is not that
+  /// of the nodes, or if a coordinate is not finite.
   explicit PointMapper(const mesh::UnloadedMesh& mesh);
   ~PointMapper();
   PointMapper(PointMapper&&) noexcept;
   PointMapper& operator=(PointMapper&&) noexcept;
 
-  /// Maps a point given in the configuration `from` to the other one.
+  /// Maps a point of the configuration `from` to the other one.
   /// @throws Error if the point is not finite.
   MappedPoint map(const Point<3>& point, Configuration from) const;
 
@@ -58,8 +57,8 @@ public:
 private:
   class PlacedMesh;
 
-  /// X near `guess` with X + d(c(X)) = loaded, by Newton's method where it serves; `face` of
-  /// the surface is near c.
+  /// Solves X + u(c(X)) = loaded for X near `guess`, by Newton's method where it converges.
+  /// `face` is a face of the surface near c.
   Point<3> inverse_outside(const Point<3>& loaded, const Point<3>& guess, std::size_t face) const;
 
   std::unique_ptr<PlacedMesh> loaded_, unloaded_;

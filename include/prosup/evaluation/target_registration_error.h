@@ -10,9 +10,8 @@
 
 namespace prosup::evaluation {
 
-/// Statistics of n distances, mm. `std` is the sample standard deviation
-/// (divisor n - 1; 0 for one value), `p95` the 95th percentile, interpolated
-/// linearly between ranks.
+/// Statistics of n distances, mm. `std` is the sample standard deviation (divisor n - 1; 0 for
+/// one value). `p95` is the 95th percentile, interpolated linearly between ranks.
 struct ErrorStatistics {
   double mean = 0.;
   double std = 0.;
@@ -24,15 +23,15 @@ struct ErrorStatistics {
 /// @throws Error if `distances` is empty or holds a value that is not finite.
 ErrorStatistics statistics(std::vector<double> distances);
 
-/// Distance between the prone and the supine position, before any registration.
+/// Distances between the prone and the supine position of the landmarks.
 ErrorStatistics initial_error(const std::vector<Landmark>& landmarks);
 
-/// A landmark mapped to the unloaded configuration from both sides.
+/// A landmark mapped to the unloaded configuration from its prone and its supine position.
 struct MappedLandmark {
   Landmark landmark;
   MappedPoint from_prone, from_supine; ///< unloaded positions, LPS mm
 
-  /// Target registration error: the distance of the two, mm.
+  /// Target registration error: the distance between the two unloaded positions, mm.
   double error() const { return from_prone.position.distance(from_supine.position); }
 };
 
@@ -43,8 +42,8 @@ std::vector<MappedLandmark> map_landmarks(const std::vector<Landmark>& landmarks
 ErrorStatistics unloaded_error(const std::vector<Landmark>& landmarks, const PointMapper& prone,
                                const PointMapper& supine);
 
-/// Distance of points of the loaded state `from` from where they are after the way to
-/// the other loaded state and back.
+/// Distances between points and their images after mapping them from the loaded configuration
+/// of `from` to that of `to` and back.
 ErrorStatistics inverse_consistency(const std::vector<Point<3>>& points, const PointMapper& from,
                                     const PointMapper& to);
 
@@ -62,7 +61,7 @@ constexpr const char* material = "Material updated";
 constexpr const char* image_forces = "Image forces";
 } // namespace step_name
 
-/// The table as text: step, mean, std, p95, max (mm), one line per row.
+/// The table as text, one line per row: step, mean, std, p95 and max, mm.
 std::string error_table(const std::vector<ErrorRow>& rows);
 
 } // namespace prosup::evaluation

@@ -12,7 +12,7 @@ namespace prosup::image {
 void broadcast(ScalarImage& image, MPI_Comm communicator);
 void broadcast(LabelImage& image, MPI_Comm communicator);
 
-/// The same for a transform.
+/// Copies the transform of rank 0 to all ranks of the communicator.
 void broadcast(RigidTransform& transform, MPI_Comm communicator);
 
 } // namespace prosup::image

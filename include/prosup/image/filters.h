@@ -7,26 +7,25 @@
 
 namespace prosup::image {
 
-// In masks, zero is outside and any other value inside; the masks returned
-// hold 0 and 1. Voxels are neighbours when they share a face.
+// In masks, 0 means outside and any other value inside. Masks that are returned hold 0 and 1.
+// Two voxels are neighbours if they share a face.
 
-/// Convolves with a Gaussian of standard deviation `sigma_mm`; beyond the
-/// border the image goes on with its border values. Zero gives a copy.
+/// Convolves with a Gaussian of standard deviation `sigma_mm`. Outside the image, the
+/// values of its border are used. If `sigma_mm` is 0, returns a copy.
 /// @throws Error if sigma_mm is negative.
 ScalarImage gaussian_smooth(const ScalarImage& image, double sigma_mm);
 
-/// Resamples to voxels of `spacing_mm` in all directions. The field of view,
-/// measured to the outer faces of the border voxels, is kept exactly; for that
-/// the spacing along each axis becomes the extent divided by the nearest whole
-/// number of voxels. Where voxels grow, the image is smoothed before, so that
-/// the point-spread function of a voxel grows alike.
+/// Resamples to voxels of `spacing_mm` in all directions. The field of view, measured to
+/// the outer faces of the border voxels, is kept exactly: the spacing along each axis is the
+/// extent divided by the nearest whole number of voxels. Along axes where the voxels become
+/// larger the image is first smoothed, which avoids aliasing.
 /// @throws Error if spacing_mm is not positive.
 ScalarImage resample_isotropic(const ScalarImage& image, double spacing_mm);
 
-/// As above for labels, by shape: each voxel takes the label whose
-/// signed_distance(), interpolated there, is smallest (Raya and Udupa, IEEE
-/// Trans. Med. Imaging 9, 1990). Thick slices leave no stairs, and convex parts
-/// do not shrink as they would by smoothing.
+/// The same for labels, by shape-based interpolation (Raya and Udupa, IEEE Trans. Med.
+/// Imaging 9, 1990): each voxel gets the label with the smallest interpolated
+/// signed_distance(). Thick slices leave no stair steps, and convex parts do not shrink as
+/// they would with smoothing.
 LabelImage resample_isotropic(const LabelImage& labels, double spacing_mm);
 
 /// Two intensities, low < high.
@@ -35,55 +34,52 @@ struct IntensityRange {
   double high = 1.;
 };
 
-/// Percentiles (0 to 100) of the intensities inside the mask, interpolated
-/// between ranks.
-/// @throws Error if the mask is empty or of another size, if the percentiles
-/// are not ordered, or if both have the same intensity.
+/// Two percentiles (0 to 100) of the intensities inside the mask, interpolated between ranks.
+/// @throws Error if the mask is empty or of another size, if the percentiles are not in
+/// order, or if both are the same intensity.
 IntensityRange robust_range(const ScalarImage& image, const LabelImage& mask, double low_percentile,
                             double high_percentile);
 
-/// What rescale() clamps to.
+/// The range to which rescale() clamps.
 inline constexpr IntensityRange rescaled_range{-0.5, 1.5};
 
-/// Maps range.low to 0 and range.high to 1, and clamps to [-0.5, 1.5]. A squared
-/// difference weighs outliers by their square: what is far brighter or darker
-/// than the tissue the range was taken from (clips, air in CT, flow artefacts)
-/// may count as a contrast of half the range, so that edges towards it still
-/// pull, but no more. The mapping is linear a good way beyond both ends, so that
-/// contrast in the tails of the tissue is kept.
+/// Maps range.low to 0 and range.high to 1 linearly, and clamps to `rescaled_range`. The range
+/// should come from the tissue. Clamping limits the weight of voxels that are much brighter or
+/// darker (clips, air in CT, flow artefacts), which squared differences would otherwise
+/// exaggerate. The margin of 0.5 on both sides keeps the contrast in the tails of the tissue
+/// and leaves edges to such voxels visible.
 /// @throws Error if range.low >= range.high.
 ScalarImage rescale(const ScalarImage& image, IntensityRange range);
 
-/// Mask of the voxels that have one of `labels`.
+/// Mask of the voxels whose value is one of `labels`.
 LabelImage select_labels(const LabelImage& image, const std::vector<unsigned>& labels);
 
 /// The largest connected part of a mask; an empty mask stays empty.
 LabelImage largest_component(const LabelImage& mask);
 
-/// Fills the cavities of a mask: outside voxels from which no path leads to
-/// the border of the image.
+/// Fills the cavities of a mask: outside voxels that are not connected to the border of the
+/// image.
 LabelImage fill_holes(const LabelImage& mask);
 
-/// Distance from voxel centres to the boundary of a mask, mm, negative inside.
-/// It is zero on the faces between inside and outside voxels, not at centres;
-/// the border of the image is no boundary. Far from a curved or oblique boundary
-/// it falls short by up to half a voxel, since its stairs stick out.
+/// Distance from voxel centres to the boundary of a mask, mm, negative inside. It is zero on
+/// the faces between inside and outside voxels. The border of the image is no boundary. Far
+/// from a curved or oblique boundary the distance is up to half a voxel too small, since
+/// corners of voxels stick out.
 /// @throws Error if the mask has no inside or no outside.
 ScalarImage signed_distance(const LabelImage& mask);
 
-/// Adds `n_layers` voxels all round, continuing the values as an odd function
-/// about each border voxel, so that what is linear goes on linearly; the value
-/// goes on unchanged along an axis of one voxel.
+/// Adds `n_layers` voxels on all sides. Values are continued as an odd function about each
+/// border voxel, which continues linear functions linearly. Along an axis of one voxel the
+/// value stays constant.
 ScalarImage extended(const ScalarImage& image, unsigned n_layers);
 
-/// Gives each voxel where `known` is zero the value of the nearest voxel (in
-/// mm, between centres) where it is not.
-/// @throws Error if nothing is known or the sizes differ.
+/// Replaces the value of each voxel where `known` is 0 by that of the nearest voxel, in mm,
+/// where it is not.
+/// @throws Error if `known` is 0 everywhere or the sizes differ.
 void extend_from_nearest(VectorImage& field, const LabelImage& known);
 
-/// Pulls `loaded` to the grid of `displacement`: at each of its points X the
-/// result is loaded(X + u(X)), and `outside` where X + u lies outside the field
-/// of view of `loaded`.
+/// Resamples `loaded` on the grid of the displacement u: the result at X is loaded(X + u(X)),
+/// or `outside` if X + u(X) lies outside the field of view of `loaded`.
 ScalarImage warp(const ScalarImage& loaded, const VectorImage& displacement, float outside = 0.f);
 
 } // namespace prosup::image

@@ -5,8 +5,8 @@
 
 namespace prosup::image {
 
-/// A rotation R about a centre c and a translation t:  T(x) = R (x - c) + c + t;
-/// LPS, mm. The identity unless told otherwise.
+/// A rotation R about a centre c and a translation t:  T(x) = R (x - c) + c + t, LPS, mm. By
+/// default the identity.
 struct RigidTransform {
   Tensor<2, 3> rotation{{{1., 0., 0.}, {0., 1., 0.}, {0., 0., 1.}}};
   Point<3> centre;
@@ -16,21 +16,21 @@ struct RigidTransform {
     return centre + translation + rotation * (x - centre);
   }
 
-  /// Its centre is the same.
+  /// The inverse, with the same centre.
   RigidTransform inverse() const;
 
-  /// The grid that lies on a moved image: voxel i of it is at T(x_i).
+  /// The grid of a moved image: its voxel i is at T(x_i).
   VoxelGrid operator()(const VoxelGrid& grid) const;
 
-  /// Axis of the rotation times its angle, radians.
+  /// Axis of the rotation times its angle in radians.
   Tensor<1, 3> rotation_vector() const;
 };
 
-/// x -> outer(inner(x)), about the centre of `inner`.
+/// The transform outer(inner(x)), with the centre of `inner`.
 RigidTransform compose(const RigidTransform& outer, const RigidTransform& inner);
 
-/// A small rigid motion, as a step of a search: a rotation vector, radians, and a
-/// translation, mm.
+/// A small rigid motion, such as a step of a search: a rotation vector in radians and a
+/// translation in mm.
 struct RigidMotion {
   Tensor<1, 3> rotation, translation;
 
@@ -40,11 +40,11 @@ struct RigidMotion {
     return *this;
   }
 
-  /// Its rotation is about `centre`.
+  /// The transform with this motion, whose rotation is about `centre`.
   RigidTransform about(const Point<3>& centre) const;
 };
 
-/// The rotation about `vector` by its length, radians (Rodrigues' formula).
+/// Rotation about the axis `vector` by its length in radians (Rodrigues' formula).
 Tensor<2, 3> rotation_about(const Tensor<1, 3>& vector);
 
 } // namespace prosup::image

@@ -8,10 +8,9 @@
 
 namespace prosup::image {
 
-/// Trilinear interpolation of an image, for hot loops, in arithmetic of type
-/// Real. Keeps a pointer to the image, which must outlive it and have at least
-/// one voxel. Beyond the centres of the border voxels the value is that of the
-/// nearest point between them.
+/// Fast trilinear interpolation of an image, in arithmetic of type Real. Keeps a pointer to
+/// the image, which must outlive it and have at least one voxel. Outside the centres of the
+/// border voxels the value is that of the nearest point between them.
 template <typename Real>
 class BasicSampler {
 public:
@@ -44,9 +43,9 @@ public:
     return low + cell.t[2] * (high - low);
   }
 
-  /// Value, and the exact derivative of the interpolant in physical space,
-  /// value per mm. Where the position is clamped along an axis of the grid, the
-  /// derivative along that axis is zero.
+  /// Returns the value and computes the exact gradient of the interpolant, value per mm.
+  /// Where the position is clamped along an axis of the grid, the derivative along that axis
+  /// is zero.
   Real value_and_gradient(const Point<3>& position, Tensor<1, 3>& gradient_per_mm) const {
     const Cell cell = locate(position);
     const float* v = cell.corner;
@@ -72,8 +71,8 @@ public:
     return low + cell.t[2] * (high - low);
   }
 
-  /// Whether a position lies in the field of view, which ends at the outer
-  /// faces of the border voxels.
+  /// Whether a position lies in the field of view, which ends at the outer faces of the
+  /// border voxels.
   bool inside(const Point<3>& position) const {
     bool all = true;
     for (unsigned d = 0; d < 3; ++d) {
@@ -129,8 +128,8 @@ private:
 
 using Sampler = BasicSampler<float>;
 
-/// Label of the voxel that holds a physical position (LPS, mm); 0 outside the
-/// field of view.
+/// Label of the voxel that contains a physical position (LPS, mm); 0 outside the field of
+/// view.
 inline std::uint8_t nearest_label(const LabelImage& labels, const Point<3>& position) {
   const VoxelGrid& grid = labels.grid;
   const Point<3> index = grid.continuous_index(position);

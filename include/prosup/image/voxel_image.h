@@ -14,10 +14,9 @@ namespace prosup::image {
 using dealii::Point;
 using dealii::Tensor;
 
-/// A regular grid in physical space (LPS, mm), ITK's convention: the centre of
-/// voxel i is  origin + direction * diag(spacing) * i,  the columns of
-/// `direction` being the unit vectors of the grid axes. The first index runs
-/// fastest in memory.
+/// A regular grid in physical space (LPS, mm), with the conventions of ITK: the centre of
+/// voxel i is  origin + direction * diag(spacing) * i,  and the columns of `direction` are the
+/// unit vectors of the grid axes. The first index runs fastest in memory.
 struct VoxelGrid {
   std::array<std::size_t, 3> size{0, 0, 0};
   Point<3> origin;
@@ -36,15 +35,15 @@ struct VoxelGrid {
   /// Continuous index of a physical position: the inverse of physical().
   Point<3> continuous_index(const Point<3>& position) const;
 
-  /// Same size, and every voxel centre equal to within `tolerance` voxels.
+  /// Whether the size is the same and all voxel centres agree to `tolerance` voxels.
   bool coincides_with(const VoxelGrid& other, double tolerance = 1e-3) const;
 
   double voxel_volume() const { return spacing[0] * spacing[1] * spacing[2]; }
 };
 
-/// A grid of cubic voxels with axes along LPS that holds the box from `low` to
-/// `high` and `margin` mm around it. Its centres lie on multiples of `spacing`
-/// (mm), so that it does not jitter with the box.
+/// A grid of cubic voxels with axes along LPS that contains the box from `low` to `high` and
+/// `margin` mm around it. Voxel centres are multiples of `spacing`, mm, so that small changes
+/// of the box do not move them.
 VoxelGrid grid_around(const Point<3>& low, const Point<3>& high, double spacing, double margin);
 
 /// Values on a VoxelGrid.
@@ -66,7 +65,7 @@ struct VoxelImage {
 
 using ScalarImage = VoxelImage<float>;
 using LabelImage = VoxelImage<std::uint8_t>;
-/// Displacements in mm, LPS: the value at a grid point leads from there.
+/// Displacements u(X), LPS mm: the voxel at X is taken to X + u(X).
 using VectorImage = VoxelImage<std::array<float, 3>>;
 
 } // namespace prosup::image

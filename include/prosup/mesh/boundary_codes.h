@@ -8,12 +8,12 @@
 
 namespace prosup::mesh {
 
-/// The boundary faces of a mesh as one number for each cell, as files keep it:
-/// two bits for each of its faces, the lowest for that opposite to corner 0,
-/// with the number of its BoundaryPart, or 0 for a face in the interior.
+/// The boundary faces of a mesh as one number for each cell, as stored in files. Each face of
+/// the cell has two bits, the lowest for the face opposite to corner 0. They hold the number
+/// of its BoundaryPart, or 0 in the interior.
 std::vector<std::uint8_t> boundary_codes(const TetMesh& mesh);
 
-/// The boundary faces from the codes of all cells, outward.
+/// The boundary faces from the codes of all cells, with outward normals.
 std::vector<BoundaryFace> boundary_faces(const TetMesh& mesh,
                                          const std::vector<std::uint8_t>& codes);
 

@@ -9,7 +9,7 @@
 
 namespace prosup::mesh {
 
-/// J = det dx/dX of a linear cell: its loaded over its unloaded volume, signed.
+/// J = det dx/dX of a linear cell: the signed ratio of its loaded to its unloaded volume.
 double jacobian(const UnloadedMesh& mesh, std::size_t cell);
 
 /// Smallest and largest J of all cells.
@@ -18,8 +18,8 @@ struct JacobianRange {
 };
 JacobianRange jacobian_range(const UnloadedMesh& mesh);
 
-/// Values at the nodes of a mesh from those at the corners of its cells. Nodes
-/// of no cell get their position in the mesh.
+/// Positions at the nodes of a mesh from those at the corners of its cells. A node without a
+/// cell gets its position in the mesh.
 std::vector<Point<3>> at_nodes(const TetMesh& mesh,
                                const std::vector<std::array<Point<3>, 4>>& at_cells);
 

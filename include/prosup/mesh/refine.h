@@ -5,9 +5,9 @@
 
 namespace prosup::mesh {
 
-/// The mesh of the `tet_children` of all cells, with new nodes in the middle of
-/// the edges: child c of cell i is cell 8 i + c, as in mechanics::Body for
-/// quadratic elements. Points keep their numbers; new ones follow.
+/// Divides each cell into its eight `tet_children`, with new nodes in the middle of the edges.
+/// Child c of cell i becomes cell 8 i + c, as in mechanics::Body for quadratic elements. Old
+/// nodes keep their numbers; new nodes follow.
 TetMesh refined(const TetMesh& mesh);
 
 } // namespace prosup::mesh

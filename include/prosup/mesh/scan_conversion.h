@@ -48,10 +48,10 @@ public:
       tolerance_[a] = 1e-9 * (1. + gradients_[a].norm());
   }
 
-  /// False for a flat, inverted or non-finite tetrahedron.
+  /// False if the tetrahedron is flat, inverted or not finite.
   bool valid() const { return valid_; }
 
-  /// Range of the indices along axis d that can lie inside.
+  /// Range of indices along axis d that may lie inside.
   std::array<std::ptrdiff_t, 2> bounds(unsigned d, std::size_t size) const {
     const auto [low, high] =
         std::minmax({corners_[0][d], corners_[1][d], corners_[2][d], corners_[3][d]});
@@ -107,14 +107,14 @@ private:
 
 } // namespace internal
 
-/// Calls `visit(i, j, k, weights)` for each voxel of `grid` whose centre lies
-/// in the tetrahedron with the physical `corners` (LPS mm); `weights` are the
-/// four barycentric weights (std::array<double, 4>, sum 1) of the centre.
+/// Calls `visit(i, j, k, weights)` for each voxel of `grid` whose centre lies in the
+/// tetrahedron with the physical `corners` (LPS mm). `weights` are the barycentric weights of
+/// the centre (std::array<double, 4>, sum 1).
 ///
-/// A centre on a face shared by two tetrahedra is visited from both sides: a
-/// weight may be negative by 1e-9, or by the weight that 1e-9 voxels stand for,
-/// so that no centre falls between neighbours. Flat, inverted and non-finite
-/// tetrahedra are skipped. The grid may be oblique or left-handed.
+/// A centre on a face between two tetrahedra is visited for both of them: weights may be as
+/// low as -1e-9, or minus the change of the weight over 1e-9 voxels, so that no centre is
+/// missed between neighbours. Flat, inverted and non-finite tetrahedra are skipped. The grid
+/// may be oblique or left-handed.
 template <class Visit>
 void scan_convert_tet(const image::VoxelGrid& grid, const std::array<dealii::Point<3>, 4>& corners,
                       Visit&& visit) {

@@ -11,25 +11,25 @@ namespace prosup::mesh {
 
 using dealii::Point;
 
-/// What a boundary face of a breast mesh borders on. The numbers are the
-/// boundary ids of the deal.II triangulation.
+/// What lies beyond a boundary face of a breast mesh. The numbers are the boundary ids of the
+/// deal.II triangulation.
 enum class BoundaryPart : unsigned { chest_wall = 1, cut_plane = 2, skin = 3 };
 
 struct BoundaryFace {
-  std::array<unsigned, 3> nodes;
+  std::array<unsigned, 3> nodes; ///< ordered so that the normal points outwards
   BoundaryPart part;
 };
 
-/// A tetrahedral mesh held whole on one process, in the state in which it was
-/// imaged (prone or supine, loaded).
+/// A whole tetrahedral mesh on one process, in the loaded configuration in which the breast
+/// was imaged, prone or supine.
 struct TetMesh {
   std::vector<Point<3>> points;               ///< loaded positions x, LPS mm
   std::vector<std::array<unsigned, 4>> cells; ///< positively oriented
-  std::vector<std::uint8_t> tissue;           ///< label of each cell (2 fat, 3 gland)
+  std::vector<std::uint8_t> tissue;           ///< label of each cell, see Labels
   std::vector<BoundaryFace> boundary_faces;
 };
 
-/// A TetMesh whose nodes also have a position in the unloaded configuration.
+/// A TetMesh with both configurations: its nodes also have unloaded positions.
 struct UnloadedMesh {
   TetMesh mesh;
   std::vector<Point<3>> unloaded; ///< X of each node, LPS mm
