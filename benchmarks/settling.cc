@@ -22,7 +22,7 @@ constexpr unsigned most_steps = 6000;
 /// A body, its material and gravity, and Newton's solutions in either direction.
 struct Scene {
   mechanics::Body body;
-  const std::vector<mechanics::LameParameters> material;
+  const mechanics::Material material;
   const Tensor<1, 3> gravity;
   NodeVector unloaded, displacement; ///< X of the mesh as loaded; u of the mesh as unloaded
   double newton_time[2] = {0., 0.};  ///< s

@@ -11,7 +11,7 @@ using namespace dealii;
 using mechanics::node_value;
 using mechanics::NodeVector;
 
-std::vector<mechanics::LameParameters> BoxExperiment::material() const {
+mechanics::Material BoxExperiment::material() const {
   return {mechanics::lame_parameters(youngs_modulus / (2. + 2. * poisson_ratio), poisson_ratio)};
 }
 

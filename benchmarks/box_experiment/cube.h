@@ -22,7 +22,7 @@ struct BoxExperiment {
   double gravity = standard_gravity; ///< of the body force, mm/s^2
   dealii::Tensor<1, 3> direction{{0., -1., 0.}};
 
-  std::vector<mechanics::LameParameters> material() const;
+  mechanics::Material material() const;
 };
 
 /// The cube as a body of 5 n^3 tetrahedra; boundary id 2 at the face that is held.

@@ -25,7 +25,7 @@ public:
 
   mechanics::Body body;
   const dealii::Tensor<1, 3> gravity; ///< unit vector
-  const std::vector<mechanics::LameParameters> material;
+  const mechanics::Material material;
   const std::vector<bool> fixed;
   bool has_solution = false;
   mechanics::NodeVector unloaded; ///< X of Newton's solution

@@ -71,8 +71,8 @@ void SingleStateJob::read() {
   original_ = stages_.inputs.read_image(stages_.scene, state_);
 }
 
-std::vector<mechanics::LameParameters> SingleStateJob::material(const mechanics::Body& body) const {
-  return stages_.material.parameters_of(body.material_ids(), stages_.material.initial());
+mechanics::Material SingleStateJob::material(const mechanics::Body& body) const {
+  return stages_.material.material_of(body.material_ids(), stages_.material.initial());
 }
 
 mechanics::NodeVector SingleStateJob::equilibrium(const mechanics::Body& body,

@@ -66,7 +66,7 @@ private:
   std::unique_ptr<mechanics::Supports> make_supports(const mechanics::Body& body);
   mechanics::NodeVector settle(mechanics::Supports& supports, Direction direction);
   mechanics::NodeVector solve(mechanics::Supports& supports, Direction direction);
-  std::vector<mechanics::LameParameters> material(const mechanics::Body& body) const;
+  mechanics::Material material(const mechanics::Body& body) const;
   void write(const dealii::ParameterHandler& parameters, const std::filesystem::path& folder) const;
   output::Summary summary(double memory) const;
 

@@ -55,7 +55,7 @@ void BodyPair::set_properties(const mechanics::TissueMaterial& material,
   properties_ = properties;
   for_each([&](State, BodyState& state) {
     state.supports->set_springs_on(chest_wall, properties.chest_stiffness);
-    state.material = material.parameters_of(state.body->material_ids(), properties.tissue);
+    state.material = material.material_of(state.body->material_ids(), properties.tissue);
     state.unloading->set_material(state.material);
   });
 }

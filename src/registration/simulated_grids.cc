@@ -35,10 +35,11 @@ fdm::Material grid_material(const mechanics::TissueMaterial& material,
                             const mechanics::TissueStiffness& stiffness,
                             const image::LabelImage& labels, unsigned chest_label) {
   const std::vector<unsigned> tissues = tissue_labels(labels, chest_label);
-  const auto parameters = material.parameters_of(tissues, stiffness);
+  material.require_model("neo-hookean", "the finite-difference method");
+  const mechanics::Material parameters = material.material_of(tissues, stiffness);
   fdm::Material result;
   for (std::size_t i = 0; i < tissues.size(); ++i) {
-    const mechanics::LameParameters& lame = parameters[parameters.size() == 1 ? 0 : i];
+    const mechanics::LameParameters& lame = parameters[i];
     result.tissues[tissues[i]] = {lame.mu, lame.lambda};
   }
   return result;

@@ -57,10 +57,10 @@ DivergenceGuard::DivergenceGuard(const UnloadingParameters& parameters, const me
                   Utilities::MPI::min(lower, body.communicator());
 }
 
-void DivergenceGuard::set_material(const std::vector<mechanics::LameParameters>& material) {
+void DivergenceGuard::set_material(const mechanics::Material& material) {
   double sums[2] = {0., static_cast<double>(body_.n_elements())};
   for (unsigned e = 0; e < body_.n_elements(); ++e)
-    sums[0] += material[material.size() == 1 ? 0 : e].mu;
+    sums[0] += material[e].mu;
   Utilities::MPI::sum(ArrayView<const double>(sums, 2), body_.communicator(),
                       ArrayView<double>(sums, 2));
   mean_shear_modulus_ = sums[0] / sums[1];

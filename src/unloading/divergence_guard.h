@@ -24,7 +24,7 @@ public:
   };
   const Values& values() const { return values_; }
 
-  void set_material(const std::vector<mechanics::LameParameters>& material);
+  void set_material(const mechanics::Material& material);
   /// The energy of a free fall of `mass` (g, of all ranks) through the body's own
   /// height: no settling motion has as much.
   void set_mass(double mass) { kinetic_energy_limit_ = mass * largest_head_; }

@@ -54,9 +54,9 @@ Unloading::Unloading(const UnloadingParameters& parameters, mechanics::Supports&
 
 Unloading::~Unloading() = default;
 
-void Unloading::set_material(const std::vector<mechanics::LameParameters>& parameters) {
-  guard_->set_material(parameters);
-  internal_force_.set_material(parameters);
+void Unloading::set_material(const mechanics::Material& material) {
+  guard_->set_material(material);
+  internal_force_.set_material(material);
   update_reference();
   update_mass();
 }

@@ -20,6 +20,12 @@ TEST_F(Run, MaterialTooSoft) {
                    {"diverged", "Material/Shear modulus"}, n_ranks);
 }
 
+TEST_F(Run, FiniteDifferencesWithAModelThatTheyDoNotHave) {
+  for (const unsigned n_ranks : {1u, 2u})
+    expect_refused(registering({"--method", "fdm", "--set", "Material/Model=yeoh"}),
+                   {"Material/Model", "yeoh", "neo-hookean", "finite-difference"}, n_ranks);
+}
+
 TEST_F(Run, OutputFolderWithForeignContent) {
   const auto foreign = folder_ / "precious";
   std::filesystem::create_directory(foreign);

@@ -28,8 +28,8 @@ struct LoadedBox {
   std::vector<std::array<Point<3>, 4>> before, after;
 
   LoadedBox(const std::vector<unsigned>& n, const Point<3>& size,
-            const std::vector<mechanics::LameParameters>& material,
-            const unloading::UnloadingParameters& parameters, const Tensor<1, 3>& gravity) {
+            const mechanics::Material& material, const unloading::UnloadingParameters& parameters,
+            const Tensor<1, 3>& gravity) {
     // On one rank each: the forward simulation is not what is distributed here.
     const auto mesh = make_box(MPI_COMM_SELF, n, size);
     const mechanics::Body body(*mesh);

@@ -9,13 +9,13 @@ namespace prosup::tests {
 /// A box of 1 g/cm^3 that hangs from its face at high y, with its Newton solver.
 struct StaticBox {
   StaticBox(const std::vector<unsigned>& n, const dealii::Point<3>& size,
-            mechanics::ElementType type, const mechanics::LameParameters& material,
+            mechanics::ElementType type, const mechanics::Material& material,
             const std::string& linear_algebra = "", MPI_Comm communicator = MPI_COMM_WORLD)
       : mesh(make_box(communicator, n, size)), body(*mesh, mechanics::Element{type}),
         solver(parameters, body) {
     if (!linear_algebra.empty())
       parameters.linear_algebra = linear_algebra;
-    solver.set_material({material});
+    solver.set_material(material);
     solver.set_fixed_nodes(body.nodes_on_boundary({3}));
     solver.set_body_force(dealii::Tensor<1, 3>({0., -9.81, 0.})); // g/(mm^2 s^2)
     body.initialize(displacement);

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "prosup/mechanics/body/body.h"
-#include "prosup/mechanics/laws/material.h"
+#include "prosup/mechanics/laws/stress.h"
 
 namespace prosup::tests {
 
@@ -26,9 +26,8 @@ inline dealii::Quadrature<3> quadrature_of_degree(unsigned degree) {
 
 /// Energy of which the internal forces of a body are the derivative (see
 /// InternalForce), with deal.II's own shape functions, g mm^2/s^2. `reference`
-/// and `u` with ghosts; `material` one for all or one for each element.
-inline double strain_energy(const mechanics::Body& body,
-                            const std::vector<mechanics::LameParameters>& material,
+/// and `u` with ghosts.
+inline double strain_energy(const mechanics::Body& body, const mechanics::Material& material,
                             const mechanics::NodeVector& reference,
                             const mechanics::NodeVector& u) {
   using namespace dealii;
@@ -51,8 +50,9 @@ inline double strain_energy(const mechanics::Body& body,
       for (unsigned c = 0; c < 3; ++c)
         F[c][c] += 1.;
       const double volume = quadrature.weight(q) * determinant(D), J = determinant(F);
-      const mechanics::LameParameters m = material[material.size() == 1 ? 0 : e];
-      sum += volume * mechanics::neo_hookean_energy(F, {m.mu, averaged ? 0. : m.lambda});
+      const mechanics::LameParameters m = material[e];
+      sum +=
+          volume * mechanics::energy_density(F, {m.mu, averaged ? 0. : m.lambda}, material.law());
       for (unsigned a = 0; a < 4; ++a) {
         const unsigned node = body.element_nodes(e)[a];
         V[node] += volume / 4.;
@@ -64,8 +64,11 @@ inline double strain_energy(const mechanics::Body& body,
     V = body.sum_over_ranks(V);
     VJ = body.sum_over_ranks(VJ);
     Vlambda = body.sum_over_ranks(Vlambda);
-    for (unsigned node = 0; node < body.n_owned_nodes(); ++node)
-      sum += 0.5 * Vlambda[node] * std::pow(std::log(VJ[node] / V[node]), 2);
+    const auto add_volumetric = [&](const auto& law) {
+      for (unsigned node = 0; node < body.n_owned_nodes(); ++node)
+        sum += law.volume_energy(Vlambda[node], std::log(VJ[node] / V[node]));
+    };
+    std::visit(add_volumetric, material.law());
   }
   return Utilities::MPI::sum(sum, body.communicator());
 }

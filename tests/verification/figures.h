@@ -5,6 +5,7 @@
 
 #include "prosup/core/log.h"
 #include "prosup/mechanics/body/element.h"
+#include "prosup/mechanics/laws/law.h"
 
 namespace prosup::tests {
 
@@ -15,6 +16,11 @@ constexpr mechanics::ElementType all_element_types[] = {mechanics::ElementType::
 
 inline std::string name_of(mechanics::ElementType type) {
   return mechanics::element_names()[static_cast<unsigned>(type)];
+}
+
+/// ", <law>" for laws other than the default.
+inline std::string remark_on(const mechanics::Law& law) {
+  return law.index() == 0 ? "" : ", " + mechanics::name_of(law);
 }
 
 /// Prints a row of docs/verification.md on rank 0: what was checked, against

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "figures.h"
+#include "prosup/mechanics/laws/stress.h"
 #include "static_box.h"
 
 namespace prosup::tests {

@@ -60,13 +60,15 @@ double largest_distance(const Corners& a, const Corners& b) {
 
 /// The breast as a body on the ranks of a communicator: fat and gland.
 struct Breast {
-  Breast(ElementType type, ChestCondition chest, MPI_Comm communicator)
+  Breast(ElementType type, ChestCondition chest, const Law& law, MPI_Comm communicator)
       : triangulation(mesh::make_distributed(breast(), communicator)),
         body(*triangulation, Element{type}),
         supports(parameters.make(chest, body, labels("prone_labels.nii.gz"),
                                  labels("supine_labels.mha"), 1)) {
+    std::vector<LameParameters> of_elements;
     for (const unsigned tissue : body.material_ids())
-      material.push_back(lame_parameters(tissue == 3 ? 900. : 300., 0.45));
+      of_elements.push_back(lame_parameters(tissue == 3 ? 900. : 300., 0.45));
+    material = {of_elements, law};
   }
 
   /// Settled positions: x of the body taken as unloaded, or X of it taken as loaded.
@@ -116,7 +118,7 @@ struct Breast {
 
   std::unique_ptr<parallel::fullydistributed::Triangulation<3>> triangulation;
   Body body;
-  std::vector<LameParameters> material;
+  Material material;
   unloading::SupportParameters parameters;
   std::unique_ptr<Supports> supports;
 };
@@ -132,19 +134,20 @@ const char* direction_of(Way way) {
 struct Case {
   ElementType element;
   ChestCondition chest;
+  Law law = NeoHookean();
 };
 
 std::string scene(const Case& c, Way way) {
   const char* chest = c.chest == ChestCondition::fixed ? "" : ", sliding on the chest";
   return std::string("breast of the small test data") + chest + ", " + direction_of(way) + ", " +
-         name_of(c.element);
+         name_of(c.element) + remark_on(c.law);
 }
 
 class SettledState : public ::testing::TestWithParam<Case> {};
 
 TEST_P(SettledState, ExplicitAgainstNewton) {
-  const auto [element, chest] = GetParam();
-  const Breast breast(element, chest, MPI_COMM_WORLD);
+  const auto [element, chest, law] = GetParam();
+  const Breast breast(element, chest, law, MPI_COMM_WORLD);
   const double bound = chest == ChestCondition::fixed ? 0.01 : 0.02; // mm; the penalty gives way
   for (const Way way : {Way::forward, Way::inverse}) {
     const Corners start = breast.body.gather_at_cells(breast.body.vertex_positions());
@@ -167,13 +170,13 @@ TEST_P(SettledState, DoesNotDependOnTheRanks) {
   if (n_ranks == 1)
     GTEST_SKIP() << "one rank is what others are compared with";
   constexpr double bound = 1e-6; // mm
-  const auto [element, chest] = GetParam();
+  const auto [element, chest, law] = GetParam();
   for (const Way way : {Way::forward, Way::inverse}) {
-    const Breast shared(element, chest, MPI_COMM_WORLD);
+    const Breast shared(element, chest, law, MPI_COMM_WORLD);
     const Corners settled = shared.settle(way), solved = shared.solve(way);
     if (rank() != 0)
       continue;
-    const Breast alone(element, chest, MPI_COMM_SELF);
+    const Breast alone(element, chest, law, MPI_COMM_SELF);
     const double by_explicit = largest_distance(settled, alone.settle(way));
     const double by_newton = largest_distance(solved, alone.solve(way));
     EXPECT_LT(by_explicit, bound) << direction_of(way);
@@ -184,19 +187,22 @@ TEST_P(SettledState, DoesNotDependOnTheRanks) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Breasts, SettledState,
-                         ::testing::Values(Case{ElementType::linear, ChestCondition::fixed},
-                                           Case{ElementType::nodal_pressure, ChestCondition::fixed},
-                                           Case{ElementType::quadratic, ChestCondition::fixed},
-                                           Case{ElementType::linear, ChestCondition::sliding},
-                                           Case{ElementType::nodal_pressure,
-                                                ChestCondition::sliding}),
-                         [](const auto& info) {
-                           std::string name = name_of(info.param.element);
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name + (info.param.chest == ChestCondition::fixed ? "_fixed"
-                                                                                    : "_sliding");
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Breasts, SettledState,
+    ::testing::Values(Case{ElementType::linear, ChestCondition::fixed},
+                      Case{ElementType::nodal_pressure, ChestCondition::fixed},
+                      Case{ElementType::quadratic, ChestCondition::fixed},
+                      Case{ElementType::linear, ChestCondition::sliding},
+                      Case{ElementType::nodal_pressure, ChestCondition::sliding},
+                      Case{ElementType::nodal_pressure, ChestCondition::fixed, Yeoh{{}, 3., 1.}},
+                      Case{ElementType::quadratic, ChestCondition::fixed, Yeoh{{}, 3., 1.}}),
+    [](const auto& info) {
+      std::string name = name_of(info.param.element);
+      std::replace(name.begin(), name.end(), '-', '_');
+      if (info.param.law.index() > 0)
+        name += "_" + name_of(info.param.law);
+      return name + (info.param.chest == ChestCondition::fixed ? "_fixed" : "_sliding");
+    });
 
 } // namespace
 } // namespace prosup::tests

@@ -8,7 +8,7 @@
 #include "prosup/core/labels.h"
 #include "prosup/fdm/fdm_parameters.h"
 #include "prosup/mechanics/body/element.h"
-#include "prosup/mechanics/laws/material.h"
+#include "prosup/mechanics/laws/tissue_material.h"
 #include "prosup/mechanics/static/quasi_static.h"
 #include "prosup/mesh/mask_mesher.h"
 #include "prosup/phantom/phantom_parameters.h"

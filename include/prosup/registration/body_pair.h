@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "prosup/image/voxel_image.h"
-#include "prosup/mechanics/laws/material.h"
+#include "prosup/mechanics/laws/tissue_material.h"
 #include "prosup/registration/simulated_pair.h"
 #include "prosup/similarity/image_force.h"
 #include "prosup/unloading/unloading.h"
@@ -53,7 +53,7 @@ struct BodyState {
   std::unique_ptr<unloading::Unloading> unloading;
   image::ScalarImage image; ///< loaded, intensities scaled to [0, 1]
   /// Of each element, or a single one, Pa; as of BodyPair::set_properties().
-  std::vector<mechanics::LameParameters> material;
+  mechanics::Material material;
 };
 
 /// Prone and supine with all that the registration does to both alike. Every

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "prosup/mechanics/laws/material.h"
+#include "prosup/mechanics/laws/tissue_material.h"
 #include "prosup/similarity/image_force.h"
 #include "prosup/unloading/unloading.h"
 

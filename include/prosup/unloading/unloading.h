@@ -66,7 +66,7 @@ public:
 
   /// As InternalForce::set_material. Keeps the state: a changed material
   /// continues from the present configuration.
-  void set_material(const std::vector<mechanics::LameParameters>& parameters);
+  void set_material(const mechanics::Material& material);
 
   /// Adds nodal forces (owned nodes, g mm/s^2; image forces, eq. 15) that rise
   /// linearly from 0 to their value over `ramp_time` seconds from now.

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <type_traits>
+#include <variant>
 
 #if defined(__SSE__)
 #include <xmmintrin.h>
@@ -69,15 +70,16 @@ public:
     add_part(second_interior, half, body.n_elements());
   }
 
-  void set_material(const std::vector<LameParameters>& parameters) override {
-    const bool one_material = parameters.size() == 1;
-    stride_ = one_material ? 0 : 1;
-    materials_.resize(one_material ? 1 : batches_.size());
+  void set_material(const Material& material) override {
+    law_ = material.law();
+    stride_ = material.is_uniform() ? 0 : 1;
+    materials_.resize(material.is_uniform() ? 1 : batches_.size());
     for (std::size_t i = 0; i < materials_.size(); ++i)
       for (unsigned lane = 0; lane < n_lanes; ++lane) {
-        const unsigned element = one_material ? 0 : element_of_[n_lanes * i + lane];
-        materials_[i].mu[lane] = static_cast<Real>(parameters[element].mu);
-        materials_[i].lambda[lane] = static_cast<Real>(parameters[element].lambda);
+        const LameParameters& parameters =
+            material[material.is_uniform() ? 0 : element_of_[n_lanes * i + lane]];
+        materials_[i].mu[lane] = static_cast<Real>(parameters.mu);
+        materials_[i].lambda[lane] = static_cast<Real>(parameters.lambda);
       }
   }
 
@@ -123,18 +125,24 @@ private:
 
   double add(Part part, const double* positions, double* force) const {
     const kernel::Materials<Real> materials{materials_.data(), stride_};
-    const auto run = [&](const auto& kernel) {
-      return kernel(batches_.data(), begin_[part], begin_[part + 1], materials, positions, force);
+    const auto run = [&](const auto& law) {
+      const auto& kernels = kernels_.of(law);
+      const auto with = [&](auto kernel) {
+        return kernel(law, batches_.data(), begin_[part], begin_[part + 1], materials, positions,
+                      force);
+      };
+      if constexpr (is_quadratic)
+        return with(kernels.add_quadratic);
+      else
+        return with(is_averaged_ ? kernels.add_nodal_pressure : kernels.add_linear);
     };
-    if constexpr (is_quadratic)
-      return run(kernels_.add_quadratic);
-    else
-      return run(is_averaged_ ? kernels_.add_nodal_pressure : kernels_.add_linear);
+    return std::visit(run, law_);
   }
 
   const Body& body_;
   const bool is_averaged_;
   const kernel::Kernels<Real>& kernels_;
+  Law law_;
   AlignedVector<Batch> batches_;
   AlignedVector<kernel::BatchMaterial<Real>> materials_;
   std::size_t stride_ = 0;

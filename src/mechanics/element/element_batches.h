@@ -24,7 +24,7 @@ public:
   virtual ~ElementBatches() = default;
 
   /// As InternalForce::set_material.
-  virtual void set_material(const std::vector<LameParameters>& parameters) = 0;
+  virtual void set_material(const Material& material) = 0;
   /// Returns the smallest volume of a quadrature point times 6/weight: det dX/dxi.
   virtual double set_reference(const double* positions) = 0;
   /// Adds internal forces; returns the smallest J.

@@ -4,7 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 
-// The hot loops. This header and what it declares see neither deal.II nor the
+#include "prosup/mechanics/laws/law_list.h"
+
+// The hot loops. This header and what it includes use neither deal.II nor the
 // standard library's templates: the kernels are compiled with -ffast-math and
 // once for each instruction set, and neither may leak into inline functions
 // shared with other files.
@@ -18,13 +20,14 @@ constexpr int n_lanes = 8;
 /// lanes are gathered by whole loads and a transposition.
 constexpr int node_stride = 4;
 
-/// What the internal force has to know of the reference configuration at one
-/// quadrature point of eight elements. With D = dX/dxi, E = dx/dxi (columns are
-/// the derivatives by the reference coordinates), w the quadrature weight and
-/// J = det E / det D, the neo-Hookean P = mu F + (lambda ln J - mu) F^-T gives
-///   w det D P D^-T = mu E [w det D D^-1 D^-T] + w (lambda ln J - mu)/J cof E,
-/// so that six numbers of the symmetric `metric` and one of `inverse_det`
-/// replace D^-1, the volume and F. A force f_a is this times dN_a/dxi.
+/// The reference configuration at one quadrature point of eight elements, as far as the internal
+/// force depends on it. With D = dX/dxi, E = dx/dxi (columns are derivatives with respect to the
+/// reference coordinates), the quadrature weight w and J = det E / det D, a stress
+/// P = a F + b F^-T (see coefficients.h) gives
+///   w det D P D^-T = a E [w det D D^-1 D^-T] + w b/J cof E,
+///   I1 = tr(E D^-1 D^-T E^T).
+/// The six numbers of the symmetric `metric` and `inverse_det` thus replace D^-1, the volume and
+/// F. The force on node a is this matrix times dN_a/dxi.
 template <typename Real>
 struct alignas(64) ReferencePoint {
   Real metric[6][n_lanes];   ///< w det D D^-1 D^-T: 11, 12, 13, 22, 23, 33; mm
@@ -57,34 +60,49 @@ struct Materials {
   std::size_t stride; ///< 0 or 1
 };
 
-/// The kernels of one instruction set. Ranges are batches [begin, end).
+/// The kernels of one instruction set that compute forces of a law. They work on the batches
+/// [begin, end), add internal forces to `force` and return the smallest J. Where J <= 0 they
+/// compute the force at a small positive J: the caller has to check what is returned.
+template <typename Real, typename Law>
+struct ForceKernels {
+  double (*add_linear)(const Law& law, const LinearBatch<Real>* batches, std::size_t begin,
+                       std::size_t end, Materials<Real> materials, const double* positions,
+                       double* force);
+  double (*add_quadratic)(const Law& law, const QuadraticBatch<Real>* batches, std::size_t begin,
+                          std::size_t end, Materials<Real> materials, const double* positions,
+                          double* force);
+  /// Second pass of averaged nodal pressure: as add_linear, with the mean of the nodal pressures,
+  /// which stand in the fourth place of `positions`, in place of the volumetric part of the law.
+  double (*add_nodal_pressure)(const Law& law, const LinearBatch<Real>* batches, std::size_t begin,
+                               std::size_t end, Materials<Real> materials, const double* positions,
+                               double* force);
+};
+
+template <typename Real, typename List>
+struct KernelsOfLaws;
+template <typename Real, typename... Law>
+struct KernelsOfLaws<Real, LawList<Law...>> : ForceKernels<Real, Law>... {};
+
+/// The kernels of one instruction set: those of each law, and those that depend on none.
 template <typename Real>
-struct Kernels {
+struct Kernels : KernelsOfLaws<Real, Laws> {
   const char* instruction_set;
 
-  /// Fills the reference points from reference positions. Returns the
-  /// smallest det D.
+  /// Fills the reference points from reference positions. Returns the smallest det D.
   double (*set_linear_reference)(LinearBatch<Real>* batches, std::size_t begin, std::size_t end,
                                  const double* reference);
   double (*set_quadratic_reference)(QuadraticBatch<Real>* batches, std::size_t begin,
                                     std::size_t end, const double* reference);
 
-  /// Adds internal forces to `force`; returns the smallest J. Where J <= 0 the
-  /// force is computed at a tiny positive J: the caller has to look at what is
-  /// returned.
-  double (*add_linear)(const LinearBatch<Real>* batches, std::size_t begin, std::size_t end,
-                       Materials<Real> materials, const double* positions, double* force);
-  double (*add_quadratic)(const QuadraticBatch<Real>* batches, std::size_t begin, std::size_t end,
-                          Materials<Real> materials, const double* positions, double* force);
-
-  /// Averaged nodal pressure, first pass: adds a quarter of each element's
-  /// volume det E/6 to its nodes (one double a node).
+  /// First pass of averaged nodal pressure: adds a quarter of the volume det E/6 of each element
+  /// to its nodes (one double per node).
   void (*add_nodal_volumes)(const LinearBatch<Real>* batches, std::size_t begin, std::size_t end,
                             const double* positions, double* volumes);
-  /// Second pass: as add_linear, with the mean of the nodal pressures, which
-  /// stand in the fourth place of `positions`, instead of lambda ln J / J.
-  double (*add_nodal_pressure)(const LinearBatch<Real>* batches, std::size_t begin, std::size_t end,
-                               Materials<Real> materials, const double* positions, double* force);
+
+  template <typename Law>
+  const ForceKernels<Real, Law>& of(const Law&) const {
+    return *this;
+  }
 };
 
 /// All kernels that this processor can run, the plainest first; `n` of them.

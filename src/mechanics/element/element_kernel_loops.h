@@ -54,30 +54,62 @@ PROSUP_INLINE Value larger(Value a, Value b) {
   return a > b ? a : b;
 }
 
-/// S = mu E metric + q cof E with q = w (pressure - mu/J): what the point gives to
-/// nodal forces, f_a = S dN_a/dxi. `pressure_at(J)` is dU/dJ of the volumetric
-/// energy.
-template <typename Group, typename Pressure>
+/// I1 = tr(F^T F) = E^T E : D^-1 D^-T.
+template <typename Group>
 PROSUP_INLINE typename Group::Value
-point_stress(const Matrix<typename Group::Value>& E,
+first_invariant(const Matrix<typename Group::Value>& E,
+                const ReferencePoint<typename Group::Real>& point, double weight, int lane) {
+  using Value = typename Group::Value;
+  Value sum{};
+  int k = 0;
+  for (int a = 0; a < 3; ++a)
+    for (int b = a; b < 3; ++b, ++k) {
+      const Value product = E[0][a] * E[0][b] + E[1][a] * E[1][b] + E[2][a] * E[2][b];
+      sum += (a == b ? product : product + product) * load<Group>(point.metric[k] + lane);
+    }
+  return sum * load<Group>(point.inverse_det + lane) * typename Group::Real(1. / weight);
+}
+
+/// S = a E metric + w b/J cof E: the contribution of the point to nodal forces, f_a = S dN_a/dxi.
+/// a and the part of b from the distortion are those of the law; `b_over_J(b, J, ln J)` adds the
+/// volumetric part and divides by J. What a law does not use (I1, ln J) is not computed.
+template <typename Group, typename Law, typename Volumetric>
+PROSUP_INLINE typename Group::Value
+point_stress(const Law& law, const Matrix<typename Group::Value>& E,
              const ReferencePoint<typename Group::Real>& point, typename Group::Value mu,
-             double weight, int lane, Pressure pressure_at, Matrix<typename Group::Value>& S) {
+             double weight, int lane, Volumetric b_over_J, Matrix<typename Group::Value>& S) {
   using Value = typename Group::Value;
   Matrix<Value> cof;
   Value det;
   cofactors(E, cof, det);
   const Value J = det * load<Group>(point.inverse_det + lane);
   const Value safe = larger(J, all<Group>(smallest_jacobian));
-  const Value q = typename Group::Real(weight) * pressure_at(safe, mu);
+  const Value log_J = logarithm<Group>(safe);
+  const StressCoefficients<Value> stress =
+      law.distortion_stress(mu, first_invariant<Group>(E, point, weight, lane), log_J);
+  const Value q = typename Group::Real(weight) * b_over_J(stress.b, safe, log_J);
   Value metric[6];
   for (int k = 0; k < 6; ++k)
-    metric[k] = mu * load<Group>(point.metric[k] + lane);
+    metric[k] = stress.a * load<Group>(point.metric[k] + lane);
   for (int c = 0; c < 3; ++c) {
     S[c][0] = q * cof[c][0] + E[c][0] * metric[0] + E[c][1] * metric[1] + E[c][2] * metric[2];
     S[c][1] = q * cof[c][1] + E[c][0] * metric[1] + E[c][1] * metric[3] + E[c][2] * metric[4];
     S[c][2] = q * cof[c][2] + E[c][0] * metric[2] + E[c][1] * metric[4] + E[c][2] * metric[5];
   }
   return J;
+}
+
+/// As point_stress(), with the volumetric part of the law.
+template <typename Group, typename Law>
+PROSUP_INLINE typename Group::Value
+point_stress(const Law& law, const Matrix<typename Group::Value>& E,
+             const ReferencePoint<typename Group::Real>& point, typename Group::Value mu,
+             typename Group::Value lambda, double weight, int lane,
+             Matrix<typename Group::Value>& S) {
+  using Value = typename Group::Value;
+  return point_stress<Group>(
+      law, E, point, mu, weight, lane,
+      [&](Value b, Value J, Value log_J) { return (law.volume_slope(lambda, log_J) + b) / J; }, S);
 }
 
 template <typename Group>
@@ -118,21 +150,20 @@ double set_linear_reference(LinearBatch<typename Group::Real>* batches, std::siz
   return smallest_lane<Group>(smallest);
 }
 
-template <typename Group>
-double add_linear(const LinearBatch<typename Group::Real>* batches, std::size_t begin,
-                  std::size_t end, Materials<typename Group::Real> materials,
+template <typename Group, typename Law>
+double add_linear(const Law& law, const LinearBatch<typename Group::Real>* batches,
+                  std::size_t begin, std::size_t end, Materials<typename Group::Real> materials,
                   const double* positions, double* force) {
   using Value = typename Group::Value;
   Value smallest = all<Group>(beyond_all);
   for (std::size_t i = begin; i < end; ++i)
     for (int lane = 0; lane < n_lanes; lane += Group::width) {
       const auto& material = materials.data[i * materials.stride];
-      const Value lambda = load<Group>(material.lambda + lane);
       Matrix<Value> E, S;
       linear_derivative<Group>(batches[i].node, lane, positions, E);
-      const Value J = point_stress<Group>(
-          E, batches[i].point[0], load<Group>(material.mu + lane), linear_weight, lane,
-          [&](Value J, Value mu) { return (lambda * logarithm<Group>(J) - mu) / J; }, S);
+      const Value J =
+          point_stress<Group>(law, E, batches[i].point[0], load<Group>(material.mu + lane),
+                              load<Group>(material.lambda + lane), linear_weight, lane, S);
       smallest = smaller(smallest, J);
       scatter_linear<Group>(batches[i].node, lane, S, force);
     }
@@ -157,10 +188,11 @@ void add_nodal_volumes(const LinearBatch<typename Group::Real>* batches, std::si
     }
 }
 
-template <typename Group>
-double add_nodal_pressure(const LinearBatch<typename Group::Real>* batches, std::size_t begin,
-                          std::size_t end, Materials<typename Group::Real> materials,
-                          const double* positions, double* force) {
+template <typename Group, typename Law>
+double add_nodal_pressure(const Law& law, const LinearBatch<typename Group::Real>* batches,
+                          std::size_t begin, std::size_t end,
+                          Materials<typename Group::Real> materials, const double* positions,
+                          double* force) {
   using Value = typename Group::Value;
   using Real = typename Group::Real;
   Value smallest = all<Group>(beyond_all);
@@ -179,8 +211,8 @@ double add_nodal_pressure(const LinearBatch<typename Group::Real>* batches, std:
         pressure += Real(0.25) * edge[3];
       }
       const Value J = point_stress<Group>(
-          E, batches[i].point[0], load<Group>(materials.data[i * materials.stride].mu + lane),
-          linear_weight, lane, [&](Value J, Value mu) { return pressure - mu / J; }, S);
+          law, E, batches[i].point[0], load<Group>(materials.data[i * materials.stride].mu + lane),
+          linear_weight, lane, [&](Value b, Value J, Value) { return pressure + b / J; }, S);
       smallest = smaller(smallest, J);
       scatter_linear<Group>(node, lane, S, force);
     }
@@ -280,9 +312,9 @@ double set_quadratic_reference(QuadraticBatch<typename Group::Real>* batches, st
   return smallest_lane<Group>(smallest);
 }
 
-template <typename Group>
-double add_quadratic(const QuadraticBatch<typename Group::Real>* batches, std::size_t begin,
-                     std::size_t end, Materials<typename Group::Real> materials,
+template <typename Group, typename Law>
+double add_quadratic(const Law& law, const QuadraticBatch<typename Group::Real>* batches,
+                     std::size_t begin, std::size_t end, Materials<typename Group::Real> materials,
                      const double* positions, double* force) {
   using Value = typename Group::Value;
   Value smallest = all<Group>(beyond_all);
@@ -294,26 +326,29 @@ double add_quadratic(const QuadraticBatch<typename Group::Real>* batches, std::s
       Value E[4][3][3], S[4][3][3];
       gather_quadratic<Group>(batches[i].node, lane, positions, E);
       for (int q = 0; q < 4; ++q)
-        smallest = smaller(
-            smallest,
-            point_stress<Group>(
-                E[q], batches[i].point[q], mu, quadratic_weight, lane,
-                [&](Value J, Value m) { return (lambda * logarithm<Group>(J) - m) / J; }, S[q]));
+        smallest = smaller(smallest, point_stress<Group>(law, E[q], batches[i].point[q], mu, lambda,
+                                                         quadratic_weight, lane, S[q]));
       scatter_quadratic<Group>(batches[i].node, lane, S, force);
     }
   return smallest_lane<Group>(smallest);
 }
 
+template <typename Group, typename... Law>
+constexpr Kernels<typename Group::Real> kernels_of(LawList<Law...>) {
+  using Real = typename Group::Real;
+  return {{ForceKernels<Real, Law>{add_linear<Group, Law>, add_quadratic<Group, Law>,
+                                   add_nodal_pressure<Group, Law>}...},
+          PROSUP_INSTRUCTION_SET_NAME,
+          set_linear_reference<Group>,
+          set_quadratic_reference<Group>,
+          add_nodal_volumes<Group>};
+}
+
 } // namespace
 
-#define PROSUP_KERNELS(Group)                                                                      \
-  {                                                                                                \
-    PROSUP_INSTRUCTION_SET_NAME, set_linear_reference<Group>, set_quadratic_reference<Group>,      \
-        add_linear<Group>, add_quadratic<Group>, add_nodal_volumes<Group>,                         \
-        add_nodal_pressure<Group>                                                                  \
-  }
-const Kernels<double> double_kernels = PROSUP_KERNELS(PROSUP_DOUBLES);
-const Kernels<float> float_kernels = PROSUP_KERNELS(EightFloats);
+// Constants, so that no instruction of the set runs before the processor is asked for it.
+constexpr Kernels<double> double_kernels = kernels_of<PROSUP_DOUBLES>(Laws());
+constexpr Kernels<float> float_kernels = kernels_of<EightFloats>(Laws());
 
 } // namespace PROSUP_INSTRUCTION_SET
 } // namespace prosup::mechanics::kernel

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
+
+#include "element_tangent.h"
 
 namespace prosup::mechanics {
 
@@ -18,26 +21,60 @@ std::vector<double> sum_elements(const Body& body, Add add) {
   return body.sum_over_ranks(sums);
 }
 
-/// Norms of the gradients of the shape functions in two configurations.
-struct Gradients {
-  std::array<double, 10> reference, present;
+/// The kinematics of a quadrature point that its tangent depends on.
+struct PointGradients {
+  ElementVector reference, present; ///< G_a = dN_a/dX and g_a = dN_a/dx, 1/mm
+  Tensor<2, 3> F;
   double volume = 0.; ///< of the point, reference configuration, mm^3
   double J = 0.;
 };
 
-Gradients gradients(const ElementShape& shape, unsigned q, const unsigned* nodes,
-                    const NodeVector& reference, const NodeVector& displacement) {
+PointGradients gradients(const ElementShape& shape, unsigned q, const unsigned* nodes,
+                         const NodeVector& reference, const NodeVector& displacement) {
   const Tensor<2, 3> D = shape.derivative(q, nodes, reference);
   const Tensor<2, 3> E = D + shape.derivative(q, nodes, displacement);
-  Gradients result;
+  PointGradients result;
   result.volume = shape.weight * std::abs(determinant(D));
   result.J = determinant(E) / determinant(D);
   const Tensor<2, 3> inverse_D = invert(D), inverse_E = invert(E);
+  result.F = E * inverse_D;
   for (unsigned a = 0; a < shape.n_nodes; ++a) {
-    result.reference[a] = (shape.gradient[q][a] * inverse_D).norm();
-    result.present[a] = (shape.gradient[q][a] * inverse_E).norm();
+    result.reference[a] = shape.gradient[q][a] * inverse_D;
+    result.present[a] = shape.gradient[q][a] * inverse_E;
   }
   return result;
+}
+
+/// Adds factor |v_a| sum_b |v_b| to the bounds of the nodes a: what a term v_a v_b^T of the
+/// tangent, times `factor`, adds to the norms of its rows.
+template <typename VectorOf>
+void add_row_norms(const VectorOf& v, unsigned n_nodes, double factor,
+                   std::array<double, 10>& bound) {
+  std::array<double, 10> norm;
+  double sum = 0.;
+  for (unsigned a = 0; a < n_nodes; ++a)
+    sum += norm[a] = v(a).norm();
+  for (unsigned a = 0; a < n_nodes; ++a)
+    bound[a] += factor * norm[a] * sum;
+}
+
+/// Bounds on the norms of the rows of the tangent of element_tangent.h,
+///   k_ab = V [a G_a.G_b I + aa m_a m_b^T + (bb - ab^2/aa) g_a g_b^T - b g_b g_a^T],
+/// with m_a = F G_a + (ab/aa) g_a.
+std::array<double, 10> row_bounds(const PointGradients& point, const PointResponse& response,
+                                  unsigned n_nodes) {
+  const auto& [aa, ab, bb] = response.tangent;
+  const double ratio = aa == 0. ? 0. : ab / aa;
+  std::array<double, 10> bound{};
+  add_row_norms([&](unsigned a) { return point.reference[a]; }, n_nodes,
+                point.volume * std::abs(response.stress.a), bound);
+  add_row_norms([&](unsigned a) { return point.present[a]; }, n_nodes,
+                point.volume * (std::abs(bb - ratio * ab) + std::abs(response.stress.b)), bound);
+  if (aa != 0.)
+    add_row_norms(
+        [&](unsigned a) { return point.F * point.reference[a] + ratio * point.present[a]; },
+        n_nodes, point.volume * std::abs(aa), bound);
+  return bound;
 }
 
 constexpr double hrz_corner = 1. / 36., hrz_edge = 4. / 27.;
@@ -72,30 +109,22 @@ std::vector<double> element_lumped_volume(const Body& body, const NodeVector& re
   });
 }
 
-// The tangent of P = mu F + (lambda ln J - mu) F^-T couples nodes by
-//   k_ab = V [mu G_a.G_b I + lambda g_a g_b^T + (mu - lambda ln J) g_b g_a^T]
-// with G = grad_X N and g = grad_x N. The row of node a is bounded by
-// V [mu |G_a| sum_b |G_b| + (lambda + |mu - lambda ln J|) |g_a| sum_b |g_b|].
 std::vector<double> element_stiffness_bound(const Body& body, const NodeVector& reference,
                                             const NodeVector& displacement,
-                                            const std::vector<LameParameters>& material) {
+                                            const Material& material) {
   const ElementShape& shape = element_shape(body.element().type);
-  return sum_elements(body, [&](unsigned e, const unsigned* nodes, std::vector<double>& sums) {
-    const LameParameters& m = material[material.size() == 1 ? 0 : e];
-    for (unsigned q = 0; q < shape.n_points; ++q) {
-      const Gradients g = gradients(shape, q, nodes, reference, displacement);
-      const double log_J = std::log(std::max(g.J, 1e-3));
-      double sum_reference = 0., sum_present = 0.;
-      for (unsigned a = 0; a < shape.n_nodes; ++a) {
-        sum_reference += g.reference[a];
-        sum_present += g.present[a];
+  const auto bound_of = [&](const auto& law) {
+    return sum_elements(body, [&](unsigned e, const unsigned* nodes, std::vector<double>& sums) {
+      for (unsigned q = 0; q < shape.n_points; ++q) {
+        const PointGradients point = gradients(shape, q, nodes, reference, displacement);
+        const auto bound = row_bounds(
+            point, response(law, material[e], point.F, std::max(point.J, 1e-3)), shape.n_nodes);
+        for (unsigned a = 0; a < shape.n_nodes; ++a)
+          sums[nodes[a]] += bound[a];
       }
-      for (unsigned a = 0; a < shape.n_nodes; ++a)
-        sums[nodes[a]] += g.volume * (m.mu * g.reference[a] * sum_reference +
-                                      (m.lambda + std::abs(m.mu - m.lambda * log_J)) *
-                                          g.present[a] * sum_present);
-    }
-  });
+    });
+  };
+  return std::visit(bound_of, material.law());
 }
 
 } // namespace prosup::mechanics

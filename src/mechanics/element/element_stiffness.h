@@ -12,12 +12,12 @@ namespace prosup::mechanics {
 double point_jacobian(const ElementShape& shape, unsigned q, const unsigned* nodes,
                       const NodeVector& reference, const NodeVector& displacement);
 
-/// See InternalForce for these. All are collective, at local nodes.
+/// What InternalForce documents under similar names, at the local nodes. Collective.
 std::vector<double> element_nodal_volume(const Body& body, const NodeVector& reference);
 std::vector<double> element_lumped_volume(const Body& body, const NodeVector& reference);
 std::vector<double> element_stiffness_bound(const Body& body, const NodeVector& reference,
                                             const NodeVector& displacement,
-                                            const std::vector<LameParameters>& material);
+                                            const Material& material);
 
 } // namespace prosup::mechanics
 

@@ -16,6 +16,14 @@ Tensor<2, 3> by_reference_coordinates(const ElementShape& shape, unsigned q,
   return sum;
 }
 
+/// h_a = F G_a.
+ElementVector stretched_gradients(const PointKinematics& point, unsigned n_nodes) {
+  ElementVector h;
+  for (unsigned a = 0; a < n_nodes; ++a)
+    h[a] = point.F * point.gradient_X[a];
+  return h;
+}
+
 } // namespace
 
 PointKinematics point_kinematics(const ElementShape& shape, unsigned q, const ElementVector& X,
@@ -39,53 +47,70 @@ PointKinematics point_kinematics(const ElementShape& shape, unsigned q, const El
 }
 
 void add_internal_force(const PointKinematics& point, unsigned n_nodes,
-                        const PointMaterial& material, ElementVector& force) {
-  const double along_g =
-      material.lambda * std::log(point.jacobian) - material.mu + material.pressure * point.jacobian;
+                        const StressCoefficients<double>& stress, double pressure,
+                        ElementVector& force) {
+  const double along_g = stress.b + pressure * point.jacobian;
   for (unsigned a = 0; a < n_nodes; ++a)
-    force[a] += point.volume *
-                (material.mu * (point.F * point.gradient_X[a]) + along_g * point.gradient_x[a]);
+    force[a] +=
+        point.volume * (stress.a * (point.F * point.gradient_X[a]) + along_g * point.gradient_x[a]);
 }
 
-void add_tangent_by_loaded(const PointKinematics& point, const PointMaterial& material,
-                           ElementMatrix& tangent) {
-  const double pJ = material.pressure * point.jacobian;
+void add_tangent_by_loaded(const PointKinematics& point, const PointResponse& response,
+                           double pressure, ElementMatrix& tangent) {
+  const auto& [aa, ab, bb] = response.tangent;
+  const double pJ = pressure * point.jacobian;
   const double V = point.volume;
-  const double straight = V * (material.lambda + pJ);
-  const double crossed = V * (material.mu - material.lambda * std::log(point.jacobian) - pJ);
+  const double straight = V * (bb + pJ), crossed = -V * (response.stress.b + pJ);
   const unsigned n = tangent.n_nodes;
   for (unsigned a = 0; a < n; ++a)
     for (unsigned b = 0; b < n; ++b) {
       const Tensor<1, 3>&ga = point.gradient_x[a], &gb = point.gradient_x[b];
-      const double on_diagonal = V * material.mu * (point.gradient_X[a] * point.gradient_X[b]);
+      const double on_diagonal =
+          V * response.stress.a * (point.gradient_X[a] * point.gradient_X[b]);
       for (unsigned i = 0; i < 3; ++i) {
         for (unsigned j = 0; j < 3; ++j)
           tangent(a, i, b, j) += straight * ga[i] * gb[j] + crossed * gb[i] * ga[j];
         tangent(a, i, b, i) += on_diagonal;
       }
     }
+  if (aa == 0.)
+    return;
+  const ElementVector h = stretched_gradients(point, n);
+  for (unsigned a = 0; a < n; ++a)
+    for (unsigned b = 0; b < n; ++b) {
+      const Tensor<1, 3>&ga = point.gradient_x[a], &gb = point.gradient_x[b];
+      for (unsigned i = 0; i < 3; ++i)
+        for (unsigned j = 0; j < 3; ++j)
+          tangent(a, i, b, j) += V * (h[a][i] * (aa * h[b][j] + ab * gb[j]) + ab * ga[i] * h[b][j]);
+    }
 }
 
-void add_tangent_by_unloaded(const PointKinematics& point, const PointMaterial& material,
+void add_tangent_by_unloaded(const PointKinematics& point, const PointResponse& response,
                              ElementMatrix& tangent) {
-  const double mu = material.mu;
-  const double along_g = material.lambda * (std::log(point.jacobian) - 1.) - mu;
+  const auto& [aa, ab, bb] = response.tangent;
+  const double mu = response.stress.a;
   const double V = point.volume;
   const unsigned n = tangent.n_nodes;
-  ElementVector FG;
-  for (unsigned a = 0; a < n; ++a)
-    FG[a] = point.F * point.gradient_X[a];
+  const ElementVector h = stretched_gradients(point, n);
   for (unsigned a = 0; a < n; ++a) {
     const Tensor<1, 3>& Ga = point.gradient_X[a];
-    const Tensor<1, 3> stress = V * (mu * FG[a] + along_g * point.gradient_x[a]);
+    const Tensor<1, 3> stress =
+        V * (mu * h[a] + (response.stress.b - bb) * point.gradient_x[a] - ab * h[a]);
     for (unsigned b = 0; b < n; ++b) {
       const Tensor<1, 3>& Gb = point.gradient_X[b];
       const double product = V * mu * (Ga * Gb);
       for (unsigned i = 0; i < 3; ++i)
         for (unsigned j = 0; j < 3; ++j)
           tangent(a, i, b, j) +=
-              stress[i] * Gb[j] - product * point.F[i][j] - V * mu * FG[b][i] * Ga[j];
+              stress[i] * Gb[j] - product * point.F[i][j] - V * mu * h[b][i] * Ga[j];
     }
+  }
+  if (aa == 0.)
+    return;
+  for (unsigned b = 0; b < n; ++b) {
+    const Tensor<1, 3> Fh = V * (transpose(point.F) * h[b]);
+    for (unsigned a = 0; a < n; ++a)
+      tangent.add(a, b, outer_product(aa * h[a] + ab * point.gradient_x[a], Fh), -1.);
   }
 }
 

@@ -4,15 +4,15 @@
 #include <vector>
 
 #include "element_shape.h"
-#include "prosup/mechanics/laws/material.h"
+#include "point_response.h"
 
 namespace prosup::mechanics {
 
 /// One vector per node of an element.
 using ElementVector = std::array<dealii::Tensor<1, 3>, 10>;
 
-/// Derivatives of nodal forces by nodal positions: one 3 x 3 block per pair of
-/// nodes, g/s^2, stored row by row as the dense matrix of 3 n rows.
+/// Derivatives of nodal forces with respect to nodal positions: one 3 x 3 block for each pair of
+/// nodes, g/s^2, stored as a dense matrix of 3 n rows, row by row.
 struct ElementMatrix {
   unsigned n_nodes = 0;
   std::vector<double> values;
@@ -24,7 +24,7 @@ struct ElementMatrix {
   double& operator()(unsigned a, unsigned i, unsigned b, unsigned j) {
     return values[static_cast<std::size_t>(3 * a + i) * 3 * n_nodes + 3 * b + j];
   }
-  /// Zeros the rows and columns of a node.
+  /// Sets the rows and columns of a node to zero.
   void clear(unsigned a) {
     for (unsigned i = 0; i < 3; ++i)
       for (unsigned b = 0; b < n_nodes; ++b)
@@ -38,7 +38,7 @@ struct ElementMatrix {
   }
 };
 
-/// What an element knows at a quadrature point.
+/// Kinematics at a quadrature point of an element.
 struct PointKinematics {
   double volume = 0.;            ///< weight times det dX/dxi, mm^3
   double jacobian = 0.;          ///< J = det F
@@ -48,37 +48,33 @@ struct PointKinematics {
   const double* shape = nullptr; ///< N_a
 };
 
-/// Kinematics at point q for nodes at X (unloaded) and x (loaded). Gradients
-/// mean nothing unless `volume` and `jacobian` are positive.
+/// Kinematics at point q for nodes at X (unloaded) and x (loaded). The gradients are valid only if
+/// `volume` and `jacobian` are positive.
 PointKinematics point_kinematics(const ElementShape& shape, unsigned q, const ElementVector& X,
                                  const ElementVector& x);
 
-/// Stress law at a quadrature point: neo-Hookean, and a pressure p (Pa) that
-/// does not depend on the element alone,
-///   P = mu F + (lambda ln J - mu) F^-T + p J F^-T.
-struct PointMaterial {
-  double mu = 0., lambda = 0., pressure = 0.;
-};
-
-/// Adds f_a = V P G_a, g mm/s^2.
+/// Adds the nodal forces f_a = V P G_a, g mm/s^2, of the stress P = a F + (b + p J) F^-T. The
+/// pressure p (Pa) is that of averaged nodal pressure, which does not depend on the element alone.
 void add_internal_force(const PointKinematics& point, unsigned n_nodes,
-                        const PointMaterial& material, ElementVector& force);
+                        const StressCoefficients<double>& stress, double pressure,
+                        ElementVector& force);
 
-/// Adds the derivative of these forces by the loaded positions x at fixed X
-/// (and fixed p), symmetric but for p:
-///   k_ab = V [mu G_a.G_b I + (lambda + p J) g_a g_b^T + (mu - lambda ln J - p J) g_b g_a^T].
-void add_tangent_by_loaded(const PointKinematics& point, const PointMaterial& material,
-                           ElementMatrix& tangent);
+/// Adds the derivative of these forces with respect to the loaded positions x at fixed X and p:
+/// with h_a = F G_a,
+///   k_ab = V [a G_a.G_b I - (b + p J) g_b g_a^T
+///             + aa h_a h_b^T + ab (h_a g_b^T + g_a h_b^T) + (bb + p J) g_a g_b^T].
+void add_tangent_by_loaded(const PointKinematics& point, const PointResponse& response,
+                           double pressure, ElementMatrix& tangent);
 
-/// Adds their derivative by the unloaded positions X at fixed x (and fixed p):
-/// with f_a = v sigma g_a, where the loaded volume v and g_a do not change,
-///   k_ab = V [(mu F G_a + (lambda ln J - mu - lambda) g_a) G_b^T
-///             - mu (G_a.G_b F + F G_b G_a^T)].
-void add_tangent_by_unloaded(const PointKinematics& point, const PointMaterial& material,
+/// Adds the derivative of these forces with respect to the unloaded positions X at fixed x and p.
+/// In f_a = v sigma g_a the loaded volume v and g_a do not change, nor does the part of p:
+///   k_ab = V [(a h_a + b g_a) G_b^T - a (G_a.G_b F + h_b G_a^T)
+///             - h_a (aa F^T h_b + ab G_b)^T - g_a (ab F^T h_b + bb G_b)^T].
+void add_tangent_by_unloaded(const PointKinematics& point, const PointResponse& response,
                              ElementMatrix& tangent);
 
-/// Adds the derivative by X of f_a = V N_a b, the nodal forces of the body
-/// force b per unloaded volume: V N_a b G_b^T, times `factor`.
+/// Adds the derivative with respect to X of f_a = V N_a b, the nodal forces of the body force b
+/// per unloaded volume: V N_a b G_b^T, times `factor`.
 void add_body_force_by_unloaded(const PointKinematics& point,
                                 const dealii::Tensor<1, 3>& body_force, double factor,
                                 ElementMatrix& tangent);

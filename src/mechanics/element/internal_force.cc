@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <variant>
 
 #include "element_batches.h"
 #include "element_kernel.h"
@@ -39,7 +40,7 @@ struct InternalForce::Implementation {
   const Body& body;
   const bool is_averaged;
   const std::unique_ptr<ElementBatches> elements;
-  std::vector<LameParameters> material;
+  Material material;
   NodeVector reference_positions;
   // In the kernels' layout.
   AlignedVector<double> reference, positions, force;
@@ -70,17 +71,21 @@ struct InternalForce::Implementation {
     return body.sum_over_ranks(present_volume);
   }
 
-  /// Writes the nodal pressures lambda_a ln J_a / J_a behind the positions.
+  /// Writes the nodal pressures dU/dJ(J_a) behind the positions.
   void average_pressure() {
     const std::vector<double> volume = volumes_at(positions.data());
-    for (unsigned node = 0; node < body.n_local_nodes(); ++node) {
-      const double J = std::max(volume[node] / nodal_volume[node], 1e-3);
-      positions[node_stride * std::size_t(node) + 3] = nodal_lambda[node] * std::log(J) / J;
-    }
+    const auto write = [&](const auto& law) {
+      for (unsigned node = 0; node < body.n_local_nodes(); ++node) {
+        const double J = std::max(volume[node] / nodal_volume[node], 1e-3);
+        positions[node_stride * std::size_t(node) + 3] =
+            law.volume_slope(nodal_lambda[node], std::log(J)) / J;
+      }
+    };
+    std::visit(write, material.law());
   }
 
   void average_material() {
-    if (!is_averaged || material.empty() || nodal_volume.empty())
+    if (!is_averaged || material.is_empty() || nodal_volume.empty())
       return;
     nodal_lambda.assign(body.n_local_nodes(), 0.);
     const ElementShape& shape = element_shape(body.element().type);
@@ -88,15 +93,11 @@ struct InternalForce::Implementation {
       const unsigned* nodes = body.element_nodes(e);
       const double quarter = determinant(shape.derivative(0, nodes, reference_positions)) / 24.;
       for (unsigned a = 0; a < 4; ++a)
-        nodal_lambda[nodes[a]] += quarter * material_of(e).lambda;
+        nodal_lambda[nodes[a]] += quarter * material[e].lambda;
     }
     nodal_lambda = body.sum_over_ranks(nodal_lambda);
     for (unsigned node = 0; node < body.n_local_nodes(); ++node)
       nodal_lambda[node] /= nodal_volume[node];
-  }
-
-  const LameParameters& material_of(unsigned element) const {
-    return material[material.size() == 1 ? 0 : element];
   }
 
   double add_forces(ElementBatches::Part part) {
@@ -118,9 +119,9 @@ InternalForce::InternalForce(const Body& body)
 
 InternalForce::~InternalForce() = default;
 
-void InternalForce::set_material(const std::vector<LameParameters>& parameters) {
-  implementation_->material = parameters;
-  implementation_->elements->set_material(parameters);
+void InternalForce::set_material(const Material& material) {
+  implementation_->material = material;
+  implementation_->elements->set_material(material);
   implementation_->average_material();
 }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <map>
+#include <variant>
 
 namespace prosup::mechanics {
 
@@ -63,8 +64,8 @@ NodalPressure::NodalPressure(const Body& body) : body_(body) {
   body.initialize(sums_);
 }
 
-void NodalPressure::evaluate(const std::vector<LameParameters>& material,
-                             const NodeVector& unloaded, const NodeVector& loaded) {
+void NodalPressure::evaluate(const Material& material, const NodeVector& unloaded,
+                             const NodeVector& loaded) {
   material_ = &material;
   unloaded_ = &unloaded;
   loaded_ = &loaded;
@@ -82,27 +83,36 @@ void NodalPressure::evaluate(const std::vector<LameParameters>& material,
   }
   sums_.compress(VectorOperation::add);
   sums_.update_ghost_values();
+  std::visit([&](const auto& law) { evaluate_nodes(law); }, material.law());
 }
 
-NodalPressure::Node NodalPressure::node(unsigned local_node) const {
-  const Tensor<1, 3> sum = node_value(sums_, local_node);
-  const double J = sum[1] / sum[0], lambda = sum[2] / sum[0];
-  return {sum[0], J, lambda, lambda * std::log(J) / J};
+template <typename L>
+void NodalPressure::evaluate_nodes(const L& law) {
+  nodes_.resize(body_.n_local_nodes());
+  for (unsigned a = 0; a < nodes_.size(); ++a) {
+    const Tensor<1, 3> sum = node_value(sums_, a);
+    const double J = sum[1] / sum[0], lambda = sum[2] / sum[0], log_J = std::log(J);
+    const double slope = law.volume_slope(lambda, log_J);
+    nodes_[a] = {sum[0],
+                 J,
+                 lambda,
+                 slope / J,
+                 (law.volume_curvature(lambda, log_J) - slope) / (J * J),
+                 law.volume_slope(1., log_J) / J};
+  }
 }
 
 double NodalPressure::element_pressure(unsigned element) const {
   double pressure = 0.;
   for (unsigned a = 0; a < 4; ++a)
-    pressure += 0.25 * node(body_.element_nodes(element)[a]).pressure;
+    pressure += 0.25 * nodes_[body_.element_nodes(element)[a]].pressure;
   return pressure;
 }
 
 double NodalPressure::pressure_by_volume(const Node& node, double element_lambda, bool by_loaded) {
-  const double log_J = std::log(node.jacobian);
-  const double by_jacobian = node.lambda * (1. - log_J) / (node.jacobian * node.jacobian);
   if (by_loaded)
-    return by_jacobian / node.unloaded_volume;
-  return ((element_lambda - node.lambda) * log_J / node.jacobian - by_jacobian * node.jacobian) /
+    return node.by_jacobian / node.unloaded_volume;
+  return ((element_lambda - node.lambda) * node.by_lambda - node.by_jacobian * node.jacobian) /
          node.unloaded_volume;
 }
 
@@ -116,7 +126,7 @@ std::vector<NodalPressure::Patch> NodalPressure::patches(bool by_loaded,
                                                    element_positions(body_, e, *loaded_));
     const unsigned* nodes = body_.element_nodes(e);
     for (unsigned a = 0; a < 4; ++a) {
-      const double factor = pressure_by_volume(node(nodes[a]), (*material_)[e].lambda, by_loaded);
+      const double factor = pressure_by_volume(nodes_[nodes[a]], (*material_)[e].lambda, by_loaded);
       for (unsigned b = 0; b < 4; ++b) {
         const double share = fixed[nodes[b]] ? 0. : 0.25 * point.volume;
         const Tensor<1, 3> loaded = share * point.jacobian * point.gradient_x[b];

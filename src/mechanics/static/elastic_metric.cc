@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
+#include "mechanics/element/point_response.h"
 #include "prosup/mechanics/body/cell_edges.h"
 
 namespace prosup::mechanics {
@@ -68,7 +70,7 @@ struct BlockJacobi {
 
 } // namespace
 
-ElasticMetric::ElasticMetric(const Supports& supports, const std::vector<LameParameters>& material,
+ElasticMetric::ElasticMetric(const Supports& supports, const Material& material,
                              const NodeVector& unloaded)
     : supports_(supports), body_(supports.body()) {
   list_couplings();
@@ -103,22 +105,27 @@ void ElasticMetric::list_couplings() {
   blocks_.resize(column_.size());
 }
 
-// k_ab = V [mu g_a.g_b I + lambda g_a g_b^T + mu g_b g_a^T].
-void ElasticMetric::add_elements(const std::vector<LameParameters>& material,
-                                 const NodeVector& unloaded) {
-  const unsigned n_per_element = body_.n_cells_per_element();
-  for (unsigned cell = 0; cell < body_.cells().size(); ++cell) {
-    const CellShape shape(body_.cells()[cell], unloaded);
-    const LameParameters& lame = material[material.size() == 1 ? 0 : cell / n_per_element];
-    for (unsigned a = 0; a < 4; ++a)
-      for (unsigned b = 0; b < 4; ++b) {
-        const auto &g = shape.gradient[a], &h = shape.gradient[b];
-        blocks_[slots_[cell][4 * a + b]] +=
-            shape.volume *
-            (lame.mu * ((g * h) * Tensor<2, 3>(unit_symmetric_tensor<3>()) + outer_product(h, g)) +
-             lame.lambda * outer_product(g, h));
-      }
-  }
+// The tangent of element_tangent.h at F = 1, where h_a = g_a = G_a:
+//   k_ab = V [a g_a.g_b I + (aa + 2 ab + bb) g_a g_b^T - b g_b g_a^T].
+void ElasticMetric::add_elements(const Material& material, const NodeVector& unloaded) {
+  const Tensor<2, 3> identity = unit_symmetric_tensor<3>();
+  const auto add = [&](const auto& law) {
+    const unsigned n_per_element = body_.n_cells_per_element();
+    for (unsigned cell = 0; cell < body_.cells().size(); ++cell) {
+      const CellShape shape(body_.cells()[cell], unloaded);
+      const PointResponse at_rest = response(law, material[cell / n_per_element], identity, 1.);
+      const auto& [aa, ab, bb] = at_rest.tangent;
+      for (unsigned a = 0; a < 4; ++a)
+        for (unsigned b = 0; b < 4; ++b) {
+          const auto &g = shape.gradient[a], &h = shape.gradient[b];
+          blocks_[slots_[cell][4 * a + b]] +=
+              shape.volume *
+              (at_rest.stress.a * (g * h) * identity - at_rest.stress.b * outer_product(h, g) +
+               (aa + 2. * ab + bb) * outer_product(g, h));
+        }
+    }
+  };
+  std::visit(add, material.law());
   const std::vector<double>& springs = supports_.spring_stiffness();
   for (unsigned node = 0; node < std::min<std::size_t>(springs.size(), body_.n_owned_nodes());
        ++node)

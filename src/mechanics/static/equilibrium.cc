@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <variant>
 
 #include "mechanics/element/nodal_pressure.h"
 #include "prosup/core/error.h"
@@ -28,15 +30,12 @@ Equilibrium::Equilibrium(const Body& body)
   body.initialize(nodal_load_);
 }
 
-void Equilibrium::set_material(const std::vector<LameParameters>& parameters) {
-  if (parameters.size() == 1)
-    material_.assign(body_.n_elements(), parameters.front());
-  else if (parameters.size() == body_.n_elements())
-    material_ = parameters;
-  else
-    throw Error("The material of the quasi-static solver has " + std::to_string(parameters.size()) +
+void Equilibrium::set_material(const Material& material) {
+  if (!material.is_uniform() && material.size() != body_.n_elements())
+    throw Error("The material of the quasi-static solver has " + std::to_string(material.size()) +
                 " entries for " + std::to_string(body_.n_elements()) +
                 " elements; give one for all or one for each element.");
+  material_ = material;
 }
 
 void Equilibrium::set_external_force(const Tensor<1, 3>& body_force, const NodeVector& nodal) {
@@ -51,7 +50,8 @@ void Equilibrium::set_problem(Unknown unknown, const NodeVector& known) {
 
 void Equilibrium::check() const {
   const MPI_Comm communicator = body_.communicator();
-  if (Utilities::MPI::max(static_cast<int>(material_.size() != body_.n_elements()), communicator))
+  if (Utilities::MPI::max(static_cast<int>(material_.is_empty() && body_.n_elements() > 0),
+                          communicator))
     throw Error("The quasi-static solver has no material; call set_material() before load() and "
                 "unload().");
   const auto n_fixed = std::count(fixed_.begin(), fixed_.end(), true);
@@ -62,12 +62,6 @@ void Equilibrium::check() const {
 
 int Equilibrium::global_node(unsigned local_node) const {
   return static_cast<int>(nodal_load_.get_partitioner()->local_to_global(3 * local_node) / 3);
-}
-
-PointMaterial Equilibrium::point_material(unsigned element, const NodalPressure* pressure) const {
-  if (pressure != nullptr)
-    return {material_[element].mu, 0., pressure->element_pressure(element)};
-  return {material_[element].mu, material_[element].lambda, 0.};
 }
 
 void Equilibrium::add_external_force(const NodeVector& unknown, double factor,
@@ -99,29 +93,35 @@ double Equilibrium::external_force_norm(const NodeVector& unknown) const {
   return norm > 0. ? norm : 1.;
 }
 
-double Equilibrium::residual(const NodeVector& unknown, NodeVector& residual) const {
+template <typename L>
+double Equilibrium::add_element_forces(const L& law, const NodeVector& unknown,
+                                       NodeVector& force) const {
   NodalPressure pressure(body_);
   if (averages_pressure())
     pressure.evaluate(material_, unloaded(unknown), loaded(unknown));
-  residual.zero_out_ghost_values();
-  residual = 0.;
   double min_jacobian = std::numeric_limits<double>::max();
   for (unsigned e = 0; e < body_.n_elements(); ++e) {
     const ElementVector X = element_positions(body_, e, unloaded(unknown)),
                         x = element_positions(body_, e, loaded(unknown));
-    const PointMaterial material = point_material(e, averages_pressure() ? &pressure : nullptr);
-    ElementVector force;
+    const double p = averages_pressure() ? pressure.element_pressure(e) : 0.;
+    ElementVector of_nodes;
     for (unsigned q = 0; q < shape_.n_points; ++q) {
       const PointKinematics point = point_kinematics(shape_, q, X, x);
       min_jacobian = std::isfinite(point.jacobian) ? std::min(min_jacobian, point.jacobian) : -1.;
       if (!(min_jacobian > 0.))
-        break;
-      add_internal_force(point, shape_.n_nodes, material, force);
+        return min_jacobian;
+      add_internal_force(point, shape_.n_nodes, point_response(law, e, point).stress, p, of_nodes);
     }
-    if (!(min_jacobian > 0.))
-      break;
-    add_to_nodes(body_, e, force, residual);
+    add_to_nodes(body_, e, of_nodes, force);
   }
+  return min_jacobian;
+}
+
+double Equilibrium::residual(const NodeVector& unknown, NodeVector& residual) const {
+  residual.zero_out_ghost_values();
+  residual = 0.;
+  const double min_jacobian = std::visit(
+      [&](const auto& law) { return add_element_forces(law, unknown, residual); }, material_.law());
   add_external_force(unknown, -load_fraction_, residual);
   residual.compress(VectorOperation::add);
   for (unsigned node = 0; node < body_.n_owned_nodes(); ++node) {

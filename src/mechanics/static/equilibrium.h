@@ -31,7 +31,7 @@ public:
   const Body& body() const { return body_; }
 
   /// @throws Error if there are neither one nor as many entries as elements.
-  void set_material(const std::vector<LameParameters>& parameters);
+  void set_material(const Material& material);
   void set_fixed_nodes(const std::vector<bool>& fixed) { fixed_ = fixed; }
   void set_nodal_force(const NodalForce* force) { nodal_force_ = force; }
   /// b (g/(mm^2 s^2)) per unloaded volume and constant nodal forces.
@@ -69,8 +69,17 @@ private:
     return unknown_ == Unknown::loaded ? unknown : *known_;
   }
   bool averages_pressure() const { return body_.element().type == ElementType::nodal_pressure; }
-  PointMaterial point_material(unsigned element, const NodalPressure* pressure) const;
-  void add_element_tangents(const NodeVector& unknown, const NodalPressure* pressure,
+  template <typename L>
+  PointResponse point_response(const L& law, unsigned element, const PointKinematics& point) const {
+    return averages_pressure()
+               ? distortion_response(law, material_[element], point.F, point.jacobian)
+               : response(law, material_[element], point.F, point.jacobian);
+  }
+  /// Returns the smallest J, not positive as soon as an element is inverted.
+  template <typename L>
+  double add_element_forces(const L& law, const NodeVector& unknown, NodeVector& force) const;
+  template <typename L>
+  void add_element_tangents(const L& law, const NodeVector& unknown, const NodalPressure* pressure,
                             const AddBlock& add) const;
   void add_nodal_tangents(const NodeVector& unknown, const AddBlock& add) const;
   void add_external_force(const NodeVector& unknown, double factor, NodeVector& force) const;
@@ -78,7 +87,7 @@ private:
 
   const Body& body_;
   const ElementShape& shape_;
-  std::vector<LameParameters> material_; // of each element
+  Material material_;
   std::vector<bool> fixed_;
   dealii::Tensor<1, 3> body_force_;
   NodeVector nodal_load_;

@@ -1,5 +1,8 @@
 #include <deal.II/lac/sparsity_tools.h>
 
+#include <memory>
+#include <variant>
+
 #include "equilibrium.h"
 #include "mechanics/element/nodal_pressure.h"
 
@@ -27,38 +30,40 @@ void outer(const std::vector<Tensor<1, 3>>& u, const std::vector<Tensor<1, 3>>& 
 } // namespace
 
 void Equilibrium::tangent(const NodeVector& unknown, const AddBlock& add) const {
-  if (!averages_pressure()) {
-    add_element_tangents(unknown, nullptr, add);
-  } else {
-    NodalPressure pressure(body_);
-    pressure.evaluate(material_, unloaded(unknown), loaded(unknown));
-    add_element_tangents(unknown, &pressure, add);
+  std::unique_ptr<NodalPressure> pressure;
+  if (averages_pressure()) {
+    pressure = std::make_unique<NodalPressure>(body_);
+    pressure->evaluate(material_, unloaded(unknown), loaded(unknown));
     std::vector<double> values;
-    for (const auto& patch : pressure.patches(unknown_ == Unknown::loaded, fixed_)) {
+    for (const auto& patch : pressure->patches(unknown_ == Unknown::loaded, fixed_)) {
       outer(patch.volume_change, patch.pressure_change, values);
       add(patch.nodes, values);
     }
   }
+  std::visit([&](const auto& law) { add_element_tangents(law, unknown, pressure.get(), add); },
+             material_.law());
   add_nodal_tangents(unknown, add);
 }
 
-void Equilibrium::add_element_tangents(const NodeVector& unknown, const NodalPressure* pressure,
-                                       const AddBlock& add) const {
+template <typename L>
+void Equilibrium::add_element_tangents(const L& law, const NodeVector& unknown,
+                                       const NodalPressure* pressure, const AddBlock& add) const {
   const unsigned n = shape_.n_nodes;
   ElementMatrix matrix;
   std::vector<int> global(n);
   for (unsigned e = 0; e < body_.n_elements(); ++e) {
     const ElementVector X = element_positions(body_, e, unloaded(unknown)),
                         x = element_positions(body_, e, loaded(unknown));
-    const PointMaterial material = point_material(e, pressure);
+    const double p = pressure != nullptr ? pressure->element_pressure(e) : 0.;
     matrix.reset(n);
     for (unsigned q = 0; q < shape_.n_points; ++q) {
       const PointKinematics point = point_kinematics(shape_, q, X, x);
+      const PointResponse response = point_response(law, e, point);
       if (unknown_ == Unknown::loaded) {
-        add_tangent_by_loaded(point, material, matrix);
+        add_tangent_by_loaded(point, response, p, matrix);
         continue;
       }
-      add_tangent_by_unloaded(point, material, matrix);
+      add_tangent_by_unloaded(point, response, matrix);
       add_body_force_by_unloaded(point, body_force_, -load_fraction_, matrix);
     }
     for (unsigned a = 0; a < n; ++a) {
@@ -100,7 +105,7 @@ DynamicSparsityPattern Equilibrium::node_pattern() const {
   }
   if (averages_pressure()) {
     NodalPressure pressure(body_);
-    const std::vector<LameParameters> any(body_.n_elements(), LameParameters{1., 1.});
+    const Material any(LameParameters{1., 1.});
     pressure.evaluate(any, body_.vertex_positions(), body_.vertex_positions());
     for (const auto& patch : pressure.patches(true, fixed_))
       couple(patch.nodes);

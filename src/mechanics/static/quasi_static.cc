@@ -49,8 +49,8 @@ QuasiStatic::QuasiStatic(const QuasiStaticParameters& parameters, const Body& bo
 
 QuasiStatic::~QuasiStatic() = default;
 
-void QuasiStatic::set_material(const std::vector<LameParameters>& parameters) {
-  implementation_->equations.set_material(parameters);
+void QuasiStatic::set_material(const Material& material) {
+  implementation_->equations.set_material(material);
 }
 
 void QuasiStatic::set_fixed_nodes(const std::vector<bool>& fixed) {

@@ -4,7 +4,9 @@
 
 #include <cmath>
 
+#include "all_laws.h"
 #include "prosup/core/tet_topology.h"
+#include "prosup/mechanics/laws/stress.h"
 
 namespace prosup::tests {
 namespace {
@@ -12,7 +14,8 @@ namespace {
 using namespace dealii;
 using namespace prosup::mechanics;
 
-const PointMaterial tissue{200., 700., 90.};
+constexpr LameParameters lame{200., 700.};
+constexpr double pressure = 90.; // Pa, in addition to that of the law
 
 /// A tetrahedron with bent edges, unloaded and loaded.
 struct Tetrahedron {
@@ -33,23 +36,28 @@ struct Tetrahedron {
   }
 };
 
-ElementVector force_of(ElementType type, const Tetrahedron& tetrahedron) {
+PointResponse response_of(const Law& law, const PointKinematics& point) {
+  return std::visit([&](const auto& of) { return response(of, lame, point.F, point.jacobian); },
+                    law);
+}
+
+ElementVector force_of(ElementType type, const Law& law, const Tetrahedron& tetrahedron) {
   const ElementShape& shape = element_shape(type);
   ElementVector force;
-  for (unsigned q = 0; q < shape.n_points; ++q)
-    add_internal_force(point_kinematics(shape, q, tetrahedron.X, tetrahedron.x), shape.n_nodes,
-                       tissue, force);
+  for (unsigned q = 0; q < shape.n_points; ++q) {
+    const PointKinematics point = point_kinematics(shape, q, tetrahedron.X, tetrahedron.x);
+    add_internal_force(point, shape.n_nodes, response_of(law, point).stress, pressure, force);
+  }
   return force;
 }
 
 /// Energy whose derivative by x the force is: p does work on the volume.
-double energy_of(ElementType type, const Tetrahedron& tetrahedron) {
+double energy_of(ElementType type, const Law& law, const Tetrahedron& tetrahedron) {
   const ElementShape& shape = element_shape(type);
   double energy = 0.;
   for (unsigned q = 0; q < shape.n_points; ++q) {
     const PointKinematics point = point_kinematics(shape, q, tetrahedron.X, tetrahedron.x);
-    energy += point.volume * (neo_hookean_energy(point.F, {tissue.mu, tissue.lambda}) +
-                              tissue.pressure * point.jacobian);
+    energy += point.volume * (energy_density(point.F, lame, law) + pressure * point.jacobian);
   }
   return energy;
 }
@@ -58,14 +66,15 @@ constexpr double step = 1e-6;
 
 /// Largest difference between a tangent and central differences of the force,
 /// over the largest entry.
-double tangent_error(ElementType type, ElementMatrix& tangent, ElementVector Tetrahedron::*moves) {
+double tangent_error(ElementType type, const Law& law, ElementMatrix& tangent,
+                     ElementVector Tetrahedron::*moves) {
   double difference = 0., scale = 0.;
   for (unsigned b = 0; b < tangent.n_nodes; ++b)
     for (unsigned j = 0; j < 3; ++j) {
       Tetrahedron plus, minus;
       (plus.*moves)[b][j] += step;
       (minus.*moves)[b][j] -= step;
-      const ElementVector high = force_of(type, plus), low = force_of(type, minus);
+      const ElementVector high = force_of(type, law, plus), low = force_of(type, law, minus);
       for (unsigned a = 0; a < tangent.n_nodes; ++a)
         for (unsigned i = 0; i < 3; ++i) {
           const double expected = (high[a][i] - low[a][i]) / (2. * step);
@@ -76,9 +85,11 @@ double tangent_error(ElementType type, ElementMatrix& tangent, ElementVector Tet
   return difference / scale;
 }
 
-class ElementTangent : public ::testing::TestWithParam<ElementType> {
+class ElementTangent : public ::testing::TestWithParam<std::tuple<ElementType, unsigned>> {
 protected:
-  const ElementShape& shape = element_shape(GetParam());
+  const ElementType type = std::get<0>(GetParam());
+  const Law law = all_laws()[std::get<1>(GetParam())];
+  const ElementShape& shape = element_shape(type);
   Tetrahedron tetrahedron;
   ElementMatrix tangent;
 
@@ -91,7 +102,7 @@ protected:
 };
 
 TEST_P(ElementTangent, ForceIsTheDerivativeOfTheEnergy) {
-  const ElementVector force = force_of(GetParam(), tetrahedron);
+  const ElementVector force = force_of(type, law, tetrahedron);
   double scale = 0.;
   for (unsigned a = 0; a < shape.n_nodes; ++a)
     scale = std::max(scale, force[a].norm());
@@ -101,14 +112,16 @@ TEST_P(ElementTangent, ForceIsTheDerivativeOfTheEnergy) {
       plus.x[a][i] += step;
       minus.x[a][i] -= step;
       const double expected =
-          (energy_of(GetParam(), plus) - energy_of(GetParam(), minus)) / (2. * step);
+          (energy_of(type, law, plus) - energy_of(type, law, minus)) / (2. * step);
       EXPECT_NEAR(force[a][i], expected, 1e-7 * scale) << a << " " << i;
     }
 }
 
 TEST_P(ElementTangent, ByLoadedPositionsEqualsDifferencesAndIsSymmetric) {
-  at_points([&](const PointKinematics& point) { add_tangent_by_loaded(point, tissue, tangent); });
-  EXPECT_LT(tangent_error(GetParam(), tangent, &Tetrahedron::x), 1e-8);
+  at_points([&](const PointKinematics& point) {
+    add_tangent_by_loaded(point, response_of(law, point), pressure, tangent);
+  });
+  EXPECT_LT(tangent_error(type, law, tangent, &Tetrahedron::x), 1e-8);
   for (unsigned a = 0; a < shape.n_nodes; ++a)
     for (unsigned b = 0; b < a; ++b)
       for (unsigned i = 0; i < 3; ++i)
@@ -117,8 +130,10 @@ TEST_P(ElementTangent, ByLoadedPositionsEqualsDifferencesAndIsSymmetric) {
 }
 
 TEST_P(ElementTangent, ByUnloadedPositionsEqualsDifferences) {
-  at_points([&](const PointKinematics& point) { add_tangent_by_unloaded(point, tissue, tangent); });
-  EXPECT_LT(tangent_error(GetParam(), tangent, &Tetrahedron::X), 1e-8);
+  at_points([&](const PointKinematics& point) {
+    add_tangent_by_unloaded(point, response_of(law, point), tangent);
+  });
+  EXPECT_LT(tangent_error(type, law, tangent, &Tetrahedron::X), 1e-8);
 }
 
 TEST_P(ElementTangent, InvertedElementsAreSeen) {
@@ -134,7 +149,9 @@ TEST_P(ElementTangent, InvertedElementsAreSeen) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Elements, ElementTangent,
-                         ::testing::Values(ElementType::linear, ElementType::quadratic));
+                         ::testing::Combine(::testing::Values(ElementType::linear,
+                                                              ElementType::quadratic),
+                                            ::testing::Range(0u, unsigned(law_names().size()))));
 
 } // namespace
 } // namespace prosup::tests

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <random>
 
+#include "all_laws.h"
 #include "box.h"
 #include "prosup/mechanics/element/internal_force.h"
+#include "prosup/mechanics/explicit/critical_step.h"
 #include "strain_energy.h"
 
 namespace prosup::tests {
@@ -19,6 +21,16 @@ const std::vector<Element> double_elements{
     {ElementType::nodal_pressure, Precision::double_precision},
     {ElementType::quadratic, Precision::double_precision}};
 
+/// Calls check(element, law) for all of both.
+template <typename Check>
+void for_all_elements_and_laws(const Check& check) {
+  for (const Element& element : double_elements)
+    for (const Law& law : all_laws()) {
+      SCOPED_TRACE(name_of(law));
+      check(element, law);
+    }
+}
+
 std::string name(const Element& element) {
   return element_names()[static_cast<unsigned>(element.type)];
 }
@@ -30,9 +42,9 @@ struct Block {
   std::unique_ptr<Distributed> mesh;
   Body body;
   InternalForce kernel;
-  std::vector<LameParameters> material;
+  Material material;
 
-  explicit Block(const Element& choice)
+  explicit Block(const Element& choice, const Law& law = NeoHookean())
       : element(choice),
         mesh(make_box(MPI_COMM_WORLD, {3, 4, 3}, {30., 40., 35.},
                       [](const Point<3>& p) {
@@ -40,10 +52,12 @@ struct Block {
                                                  0.05 * p[0]});
                       })),
         body(*mesh, choice), kernel(body) {
+    std::vector<LameParameters> of_elements;
     for (unsigned e = 0; e < body.n_elements(); ++e) {
       const Tensor<1, 3> corner = node_value(body.vertex_positions(), body.element_nodes(e)[0]);
-      material.push_back(lame_parameters(corner[1] > 18. ? 300. : 900., 0.45));
+      of_elements.push_back(lame_parameters(corner[1] > 18. ? 300. : 900., 0.45));
     }
+    material = {of_elements, law};
     kernel.set_material(material);
     kernel.set_reference(body.vertex_positions());
   }
@@ -83,8 +97,8 @@ Tensor<1, 3> other_wave(const Tensor<1, 3>& X) {
 }
 
 TEST(Elements, ForceIsTheDerivativeOfTheEnergy) {
-  for (const Element& element : double_elements) {
-    const Block block(element);
+  for_all_elements_and_laws([](const Element& element, const Law& law) {
+    const Block block(element, law);
     const NodeVector u = block.field(wave), direction = block.field(other_wave);
     const double step = 1e-4;
     NodeVector up = u, down = u;
@@ -94,7 +108,37 @@ TEST(Elements, ForceIsTheDerivativeOfTheEnergy) {
     down.update_ghost_values();
     const double slope = (block.energy(up) - block.energy(down)) / (2. * step);
     EXPECT_NEAR(block.force(u) * direction / slope, 1., 1e-6) << name(element);
-  }
+  });
+}
+
+// The largest eigenvalue of the tangent with unit masses comes from the forces alone.
+TEST(Elements, StiffnessBoundIsAboveTheLargestStiffness) {
+  for_all_elements_and_laws([](const Element& element, const Law& law) {
+    const Block block(element, law);
+    const unsigned n = block.body.n_local_nodes();
+    HighestFrequency frequency(block.body, block.kernel);
+    for (const double amplitude : {0., 1.}) {
+      NodeVector u = block.field(wave);
+      u *= amplitude;
+      u.update_ghost_values();
+      const double largest =
+          frequency.estimate(u, std::vector<double>(n, 1.), std::vector<bool>(n, false)).ritz_value;
+      const std::vector<double> bounds = block.kernel.stiffness_bound(u);
+      const double bound = *std::max_element(bounds.begin(), bounds.end());
+      EXPECT_LT(largest, Utilities::MPI::max(bound, block.body.communicator())) << name(element);
+    }
+  });
+}
+
+TEST(Elements, StiffnessBoundAtRestIsThatOfLinearElasticity) {
+  for_all_elements_and_laws([](const Element& element, const Law& law) {
+    const Block block(element, law), neo_hookean(element);
+    const NodeVector rest = block.field([](const Tensor<1, 3>&) { return Tensor<1, 3>(); });
+    const std::vector<double> bounds = block.kernel.stiffness_bound(rest),
+                              expected = neo_hookean.kernel.stiffness_bound(rest);
+    for (unsigned node = 0; node < bounds.size(); ++node)
+      EXPECT_NEAR(bounds[node], expected[node], 1e-10 * expected[node]) << name(element);
+  });
 }
 
 TEST(Elements, OneMaterialIsTheSameAsOneForEachElement) {
@@ -104,7 +148,7 @@ TEST(Elements, OneMaterialIsTheSameAsOneForEachElement) {
     const LameParameters one = lame_parameters(500., 0.4);
     block.kernel.set_material(std::vector<LameParameters>(block.body.n_elements(), one));
     const NodeVector each = block.force(u);
-    block.kernel.set_material({one});
+    block.kernel.set_material(one);
     NodeVector difference = block.force(u);
     difference -= each;
     EXPECT_LT(difference.l2_norm(), 1e-12 * each.l2_norm()) << name(element);
@@ -112,16 +156,16 @@ TEST(Elements, OneMaterialIsTheSameAsOneForEachElement) {
 }
 
 TEST(Elements, SinglePrecisionAgreesWithDouble) {
-  for (Element element : double_elements) {
-    const Block in_double(element);
+  for_all_elements_and_laws([](Element element, const Law& law) {
+    const Block in_double(element, law);
     element.precision = Precision::single_precision;
-    const Block in_single(element);
+    const Block in_single(element, law);
     const NodeVector force = in_double.force(in_double.field(wave));
     NodeVector difference = in_single.force(in_single.field(wave));
     difference -= force;
     EXPECT_LT(difference.l2_norm(), 1e-5 * force.l2_norm()) << name(element);
     EXPECT_GT(difference.l2_norm(), 0.) << name(element);
-  }
+  });
 }
 
 TEST(Elements, RigidRotationGivesNoForce) {
@@ -130,11 +174,11 @@ TEST(Elements, RigidRotationGivesNoForce) {
     return Tensor<1, 3>({std::cos(angle) * X[0] - std::sin(angle) * X[1] - X[0] + 5.,
                          std::sin(angle) * X[0] + std::cos(angle) * X[1] - X[1] - 3., 2.});
   };
-  for (const Element& element : double_elements) {
-    const Block block(element);
+  for_all_elements_and_laws([&](const Element& element, const Law& law) {
+    const Block block(element, law);
     const double scale = block.force(block.field(wave)).linfty_norm();
     EXPECT_LT(block.force(block.field(rotation)).linfty_norm(), 1e-11 * scale) << name(element);
-  }
+  });
 }
 
 // A homogeneous deformation of one material is in balance: no force inside, and

@@ -5,7 +5,9 @@
 
 #include <cmath>
 
+#include "all_laws.h"
 #include "box.h"
+#include "prosup/mechanics/laws/stress.h"
 
 namespace prosup::tests {
 namespace {
@@ -35,17 +37,19 @@ struct Spring : NodalForce {
 };
 
 /// A small box of two materials, bent, held at low y.
-class EquilibriumOfABox : public ::testing::TestWithParam<ElementType> {
+class EquilibriumOfABox : public ::testing::TestWithParam<std::tuple<ElementType, unsigned>> {
 protected:
   EquilibriumOfABox()
       : mesh(make_box(MPI_COMM_WORLD, {2, 3, 2}, {4., 6., 5.})),
-        body(*mesh, Element{GetParam(), Precision::double_precision}), equations(body) {
+        body(*mesh, Element{type, Precision::double_precision}), equations(body) {
     body.initialize(nodal);
     nodal = 3.;
+    std::vector<LameParameters> of_elements;
     for (unsigned e = 0; e < body.n_elements(); ++e) {
       const bool gland = node_value(body.vertex_positions(), body.element_nodes(e)[0])[1] > 2.9;
-      material.push_back(lame_parameters(gland ? 500. : 200., 0.45));
+      of_elements.push_back(lame_parameters(gland ? 500. : 200., 0.45));
     }
+    material = {of_elements, all_laws()[std::get<1>(GetParam())]};
     fixed = body.nodes_on_boundary({2});
     equations.set_material(material);
     equations.set_fixed_nodes(fixed);
@@ -136,10 +140,11 @@ protected:
     EXPECT_LT(difference.linfty_norm(), 1e-7 * expected.linfty_norm());
   }
 
+  const ElementType type = std::get<0>(GetParam());
   std::unique_ptr<Distributed> mesh;
   Body body;
   Equilibrium equations;
-  std::vector<LameParameters> material;
+  Material material;
   std::vector<bool> fixed;
   NodeVector nodal, X, x;
 };
@@ -154,12 +159,12 @@ double volume(const Body& body, unsigned e, const NodeVector& positions) {
 }
 
 /// The energy of nodal_pressure elements as it is defined, over all ranks.
-double nodal_pressure_energy(const Body& body, const std::vector<LameParameters>& material,
-                             const NodeVector& X, const NodeVector& x) {
+double nodal_pressure_energy(const Body& body, const Material& material, const NodeVector& X,
+                             const NodeVector& x) {
   std::vector<double> V(body.n_local_nodes(), 0.), v(V), lambda(V);
   double energy = 0.;
   for (unsigned e = 0; e < body.n_elements(); ++e) {
-    const double V_e = volume(body, e, X), v_e = volume(body, e, x), mu = material[e].mu;
+    const double V_e = volume(body, e, X), v_e = volume(body, e, x);
     Tensor<2, 3> edges_X, edges_x;
     for (unsigned b = 0; b < 3; ++b)
       for (unsigned c = 0; c < 3; ++c) {
@@ -168,7 +173,7 @@ double nodal_pressure_energy(const Body& body, const std::vector<LameParameters>
         edges_x[c][b] = node_value(x, i)[c] - node_value(x, o)[c];
       }
     const Tensor<2, 3> F = edges_x * invert(edges_X);
-    energy += V_e * (0.5 * mu * (scalar_product(F, F) - 3.) - mu * std::log(v_e / V_e));
+    energy += V_e * energy_density(F, {material[e].mu, 0.}, material.law());
     for (unsigned a = 0; a < 4; ++a) {
       const unsigned node = body.element_nodes(e)[a];
       V[node] += V_e / 4.;
@@ -224,7 +229,7 @@ TEST_P(EquilibriumOfABox, WeightIsWhatTheVolumeWeighs) {
 }
 
 TEST_P(EquilibriumOfABox, AveragedPressuresAreTheDerivativeOfTheirEnergy) {
-  if (GetParam() != ElementType::nodal_pressure)
+  if (type != ElementType::nodal_pressure)
     GTEST_SKIP();
   nodal = 0.;
   equations.set_external_force(Tensor<1, 3>(), nodal);
@@ -238,8 +243,10 @@ TEST_P(EquilibriumOfABox, AveragedPressuresAreTheDerivativeOfTheirEnergy) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Elements, EquilibriumOfABox,
-                         ::testing::Values(ElementType::linear, ElementType::nodal_pressure,
-                                           ElementType::quadratic));
+                         ::testing::Combine(::testing::Values(ElementType::linear,
+                                                              ElementType::nodal_pressure,
+                                                              ElementType::quadratic),
+                                            ::testing::Range(0u, unsigned(law_names().size()))));
 
 } // namespace
 } // namespace prosup::tests

@@ -3,12 +3,14 @@
 #include <cmath>
 #include <vector>
 
+#include "all_laws.h"
 #include "mechanics/element/element_kernel.h"
 
 namespace prosup::tests {
 namespace {
 
 using namespace prosup::mechanics::kernel;
+using prosup::mechanics::Law;
 
 // Eight elements of ten nodes each, near to a unit element, in aligned memory.
 template <typename Real>
@@ -46,16 +48,21 @@ struct EightElements {
   /// All that the kernels of one set compute.
   std::vector<double> results(const Kernels<Real>& kernels) {
     std::vector<double> all;
-    const auto add = [&](auto kernel, const auto& batch) {
+    const auto add = [&](auto kernel, const auto& law, const auto& batch) {
       alignas(64) double force[node_stride * 10 * n_lanes] = {};
-      all.push_back(kernel(&batch, 0, 1, Materials<Real>{&material, 1}, positions, force));
+      all.push_back(kernel(law, &batch, 0, 1, Materials<Real>{&material, 1}, positions, force));
       all.insert(all.end(), std::begin(force), std::end(force));
     };
     all.push_back(kernels.set_linear_reference(&linear, 0, 1, reference));
     all.push_back(kernels.set_quadratic_reference(&quadratic, 0, 1, reference));
-    add(kernels.add_linear, linear);
-    add(kernels.add_nodal_pressure, linear);
-    add(kernels.add_quadratic, quadratic);
+    for (const Law& choice : all_laws())
+      std::visit(
+          [&](const auto& law) {
+            add(kernels.of(law).add_linear, law, linear);
+            add(kernels.of(law).add_nodal_pressure, law, linear);
+            add(kernels.of(law).add_quadratic, law, quadratic);
+          },
+          choice);
     double volumes[10 * n_lanes] = {};
     kernels.add_nodal_volumes(&linear, 0, 1, positions, volumes);
     all.insert(all.end(), std::begin(volumes), std::end(volumes));

@@ -204,7 +204,11 @@ TEST(QuasiStatic, RefusesWhatItCannotSolve) {
   body.initialize(u);
   const auto load = [&] { solver.load(body.vertex_positions(), u); };
   expect_error(load, {"no material"});
-  expect_error([&] { solver.set_material({{1., 1.}, {1., 1.}}); }, {"2 entries"});
+  expect_error(
+      [&] {
+        solver.set_material(std::vector<LameParameters>{{1., 1.}, {1., 1.}});
+      },
+      {"2 entries"});
   solver.set_material({{100., 100.}});
   expect_error(load, {"Nothing holds"});
   solver.set_fixed_nodes(body.nodes_on_boundary({3}));

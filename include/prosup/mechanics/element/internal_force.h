@@ -11,12 +11,12 @@
 namespace prosup::mechanics {
 
 /// Internal nodal forces of a body in a given reference configuration, and what
-/// the explicit integrator has to know of it: lumped masses and a bound on the
+/// the explicit integrator needs with them: lumped masses and a bound on the
 /// stiffness. The forces are the derivatives of the energy
 ///   linear, quadratic: sum_e sum_q w_q det D_q W(F_q),
-///   nodal pressure: sum_e V_e [mu/2 (tr C - 3) - mu ln J_e]
-///                   + sum_a V_a lambda_a/2 (ln J_a)^2,
-/// where V_a = sum_e V_e/4, V_a J_a = sum_e V_e J_e/4 and V_a lambda_a =
+///   nodal pressure: sum_e V_e W_d(F_e) + sum_a V_a U(J_a; lambda_a),
+/// with W = W_d + U the law's energy of distortion and of volume, and
+/// V_a = sum_e V_e/4, V_a J_a = sum_e V_e J_e/4 and V_a lambda_a =
 /// sum_e V_e lambda_e/4 over the elements e at node a: volume changes averaged
 /// at the nodes (Joldes, Wittek, Miller 2009; Bonet, Burton 1998).
 class InternalForce {
@@ -26,8 +26,7 @@ public:
   InternalForce(const InternalForce&) = delete;
   InternalForce& operator=(const InternalForce&) = delete;
 
-  /// One entry per owned element in the order of Body, or a single one.
-  void set_material(const std::vector<LameParameters>& parameters);
+  void set_material(const Material& material);
 
   /// Makes `reference` (positions X with ghosts, mm) the stress-free state.
   /// Collective.
@@ -54,7 +53,7 @@ public:
   std::vector<double> lumped_volume() const;
 
   /// Bound on the stiffness at the local nodes for the given displacement, g/s^2:
-  /// sums of norms of the blocks of a row of the elements' tangents. With masses
+  /// the norms of the blocks in a row of the elements' tangents, summed. With masses
   /// m_a all eigenfrequencies satisfy omega^2 <= max_a k_a / m_a (Gershgorin).
   /// Collective.
   std::vector<double> stiffness_bound(const NodeVector& displacement) const;

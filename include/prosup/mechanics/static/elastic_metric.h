@@ -26,10 +26,9 @@ using CellStiffness = std::array<dealii::SymmetricTensor<2, 3>, 10>;
 /// of owned nodes.
 class ElasticMetric {
 public:
-  /// `material` as InternalForce::set_material, Pa; `unloaded` is X with ghosts, mm,
+  /// `unloaded` is X with ghosts, mm,
   /// on the surfaces of the supports (Supports::put_on_surfaces).
-  ElasticMetric(const Supports& supports, const std::vector<LameParameters>& material,
-                const NodeVector& unloaded);
+  ElasticMetric(const Supports& supports, const Material& material, const NodeVector& unloaded);
 
   /// K v, without rows that the supports hold, g mm/s^2.
   void multiply(const NodeVector& v, NodeVector& result) const;
@@ -45,7 +44,7 @@ private:
   class Operator;
 
   void list_couplings();
-  void add_elements(const std::vector<LameParameters>& material, const NodeVector& unloaded);
+  void add_elements(const Material& material, const NodeVector& unloaded);
   void multiply(const std::vector<Block>& blocks, const NodeVector& v, NodeVector& result) const;
   std::vector<Block> inverse_diagonal(const std::vector<Block>& blocks) const;
 

@@ -52,8 +52,7 @@ public:
   QuasiStatic(const QuasiStaticParameters& parameters, const Body& body, const Log& log = Log());
   ~QuasiStatic();
 
-  /// As InternalForce::set_material.
-  void set_material(const std::vector<LameParameters>& parameters);
+  void set_material(const Material& material);
   /// Local nodes that keep their position in load() and unload().
   void set_fixed_nodes(const std::vector<bool>& fixed);
   /// rho g, g/(mm^2 s^2).
