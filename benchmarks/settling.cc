@@ -37,7 +37,7 @@ struct Scene {
     read_parameters(defaults, {}, {});
     mechanics::QuasiStatic solver(newton, body);
     solver.set_material(material);
-    solver.set_fixed_nodes(body.nodes_on_boundary({1, 2}));
+    solver.set_fixed_nodes(nodes_on_boundary(body, {1, 2}));
     solver.set_body_force(parameters.density * parameters.gravity * gravity);
     const NodeVector& positions = body.vertex_positions();
     unloaded = positions;

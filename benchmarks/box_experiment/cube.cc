@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "prosup/mechanics/body/boundary.h"
+
 namespace prosup::benchmarks {
 
 using namespace dealii;
@@ -44,7 +46,7 @@ NodeVector solve_loaded(const BoxExperiment& box, const mechanics::Body& body) {
   mechanics::QuasiStatic newton(parameters, body);
   newton.set_material(box.material());
   newton.set_fixed_nodes(
-      body.nodes_on_boundary({static_cast<types::boundary_id>(mesh::BoundaryPart::cut_plane)}));
+      nodes_on_boundary(body, {static_cast<types::boundary_id>(mesh::BoundaryPart::cut_plane)}));
   newton.set_body_force(tissue_density * box.gravity * box.direction);
   NodeVector result;
   body.initialize(result);

@@ -58,7 +58,7 @@ struct CaseParameters : UnloadingParameters {
 };
 
 /// Chest wall and cut planes.
-const mechanics::Supports::BoundaryIds held{1, 2};
+const mechanics::BoundaryIds held{1, 2};
 
 /// A number in an explanation; 0 if it is not there.
 double number_after(const std::string& words, const std::string& text) {
@@ -74,7 +74,7 @@ double solve_by_newton(const Case& hard_case, const Body& body,
   const mechanics::QuasiStaticParameters newton;
   mechanics::QuasiStatic solver(newton, body);
   solver.set_material(material_of(hard_case, body));
-  solver.set_fixed_nodes(body.nodes_on_boundary(held));
+  solver.set_fixed_nodes(nodes_on_boundary(body, held));
   const Tensor<1, 3>& direction = hard_case.gravity_direction;
   solver.set_body_force(parameters.density * parameters.gravity / direction.norm() * direction);
   unloaded = body.vertex_positions();

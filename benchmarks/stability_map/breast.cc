@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "prosup/core/error.h"
+#include "prosup/mechanics/body/boundary.h"
 
 namespace prosup::benchmarks {
 
@@ -31,7 +32,7 @@ HalfBall::HalfBall(double softness, bool prone, unsigned n_refinements)
       gravity({prone ? 1. : -1., 0., 0.}), material{mechanics::lame_parameters(
                                                specific_weight * breast_depth / softness,
                                                breast_poisson_ratio)},
-      fixed(body.nodes_on_boundary({1})) {
+      fixed(nodes_on_boundary(body, {1})) {
   mechanics::QuasiStaticParameters parameters;
   mechanics::QuasiStatic newton(parameters, body);
   newton.set_material(material);

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "prosup/core/collective.h"
-#include "prosup/mechanics/body/supports.h"
+#include "prosup/mechanics/static/support_force.h"
 #include "prosup/mesh/deformation.h"
 #include "prosup/mesh/distributed.h"
 #include "prosup/mesh/mask_mesher.h"
@@ -71,8 +71,8 @@ PhantomBody::PhantomBody(const MechanicsParameters& parameters, const Anatomy& a
 void PhantomBody::put_on_surfaces() {
   unloaded_ = body_->vertex_positions();
   unloaded_.update_ghost_values();
-  const std::vector<bool> on_skin = body_->nodes_on_boundary({skin}),
-                          on_chest = body_->nodes_on_boundary({chest_wall});
+  const std::vector<bool> on_skin = nodes_on_boundary(*body_, {skin}),
+                          on_chest = nodes_on_boundary(*body_, {chest_wall});
   for (unsigned node = 0; node < body_->n_local_nodes(); ++node) {
     const Point<3> X(node_value(unloaded_, node));
     if (on_chest[node])
@@ -94,7 +94,7 @@ std::vector<mechanics::LameParameters> PhantomBody::material() const {
 
 NodeVector PhantomBody::push(double pressure) const {
   const Point<3> centre = geometry_.on_skin({geometry_.sigma, 0., 0.});
-  const std::vector<double> area = body_->lumped_area({skin}, unloaded_);
+  const std::vector<double> area = lumped_area(*body_, {skin}, unloaded_);
   NodeVector force;
   body_->initialize(force);
   for (unsigned node = 0; node < body_->n_owned_nodes(); ++node) {
@@ -120,7 +120,7 @@ LoadedPhantom PhantomBody::load(const Load& load, const mechanics::QuasiStaticPa
     supports.fix({chest_wall});
   }
   supports.set_reference(unloaded_);
-  const auto support_force = supports.nodal_force(parameters_.contact_stiffness);
+  const auto support_force = mechanics::support_force(supports, parameters_.contact_stiffness);
   quasi_static.set_fixed_nodes(supports.fixed());
   quasi_static.set_nodal_force(support_force.get());
 

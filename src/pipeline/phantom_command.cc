@@ -73,7 +73,7 @@ private:
         parameters_.anatomy.geometry, parameters_.anatomy.gland_fraction, parameters_.seed);
     body_ = std::make_unique<phantom::PhantomBody>(parameters_.mechanics, *anatomy_, world_);
     log_.line(format("  %u quadratic tetrahedra, %u nodes, volume %.1f ml",
-                     body_->body().n_global_cells() / 8, body_->body().n_global_nodes(),
+                     body_->body().n_global_cells() / 8, n_global_nodes(body_->body()),
                      parameters_.anatomy.geometry.volume() / 1000.));
   }
 

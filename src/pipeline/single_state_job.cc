@@ -12,6 +12,7 @@
 #include "prosup/image/broadcast.h"
 #include "prosup/image/filters.h"
 #include "prosup/image/image_io.h"
+#include "prosup/mechanics/static/support_force.h"
 #include "prosup/mesh/deformation.h"
 #include "prosup/mesh/quality.h"
 #include "prosup/output/displacement_fields.h"
@@ -115,7 +116,7 @@ mechanics::NodeVector SingleStateJob::settle(mechanics::Supports& supports, Dire
 mechanics::NodeVector SingleStateJob::solve(mechanics::Supports& supports, Direction direction) {
   const mechanics::Body& body = supports.body();
   mechanics::QuasiStatic quasi_static(stages_.quasi_static, body, log_);
-  const auto nodal_force = supports.nodal_force(stages_.supports.contact_stiffness);
+  const auto nodal_force = mechanics::support_force(supports, stages_.supports.contact_stiffness);
   quasi_static.set_material(material(body));
   quasi_static.set_fixed_nodes(supports.fixed());
   quasi_static.set_nodal_force(nodal_force.get());

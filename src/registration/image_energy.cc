@@ -53,7 +53,7 @@ ImageEnergy::ImageEnergy(BodyPair& pair, const SimilaritySetup& setup, double sm
   pair_.for_each([&](State which, BodyState& state) {
     start_[which] = state.unloading->unloaded();
     start_[which].update_ghost_values();
-    state.supports->put_on_surfaces(start_[which]);
+    state.supports->contacts().put_on_surfaces(start_[which]);
     metric_[which] =
         std::make_unique<mechanics::ElasticMetric>(*state.supports, state.material, start_[which]);
   });
@@ -73,7 +73,7 @@ ImageEnergyPoint ImageEnergy::evaluate(StateVectors unloaded, bool with_stiffnes
   pair_.for_each([&](State which, BodyState& state) {
     NodeVector& X = point.unloaded[which];
     X.update_ghost_values();
-    state.supports->put_on_surfaces(X);
+    state.supports->contacts().put_on_surfaces(X);
     states[which].unloaded = &X;
     jacobian = std::min(jacobian, smallest_jacobian_of(*state.body, X));
     NodeVector way = X;

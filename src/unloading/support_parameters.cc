@@ -16,6 +16,7 @@ using namespace dealii;
 using mechanics::Body;
 using mechanics::ContactLaw;
 using mechanics::ContactMethod;
+using mechanics::FaceFilter;
 using mechanics::node_value;
 using mechanics::Supports;
 
@@ -38,7 +39,7 @@ bool in_field_of_view(const image::VoxelGrid& grid, const Point<3>& x) {
 /// Whether the tissue at a face in the border of one image is held by what lies
 /// beyond: not where the other image shows air, since it has bulged across the
 /// border there. Where the other image does not reach nothing is known.
-Body::FaceFilter held_beyond(const image::LabelImage& other) {
+FaceFilter held_beyond(const image::LabelImage& other) {
   const auto& spacing = other.grid.spacing;
   const double step = 1.5 * std::max({spacing[0], spacing[1], spacing[2]});
   return [&other, step](const Tensor<1, 3>& centre, const Tensor<1, 3>& normal) {
@@ -55,7 +56,7 @@ Body::FaceFilter held_beyond(const image::LabelImage& other) {
 
 /// The box that holds the nodes on the chest wall.
 std::pair<Point<3>, Point<3>> chest_box(const Body& body) {
-  const std::vector<bool> on_chest = body.nodes_on_boundary({chest_wall});
+  const std::vector<bool> on_chest = nodes_on_boundary(body, {chest_wall});
   Point<3> low, high;
   for (unsigned d = 0; d < 3; ++d) {
     double least = std::numeric_limits<double>::max(), most = -least;
@@ -141,7 +142,7 @@ void SupportParameters::add_chest(ChestCondition chest, const image::LabelImage&
                                                    farthest_slide),
                     {chest_wall},
                     chest == ChestCondition::sliding ? ContactLaw::tied : ContactLaw::one_sided);
-  supports.set_contact_method(
+  supports.contacts().set_method(
       contact_method_ == "gradual" ? ContactMethod::gradual : ContactMethod::projection, gradual_);
   if (chest_stiffness_ > 0.)
     supports.add_springs({chest_wall}, chest_stiffness_);
@@ -152,7 +153,7 @@ void SupportParameters::add_cut_planes(const image::VoxelGrid& grid, const image
   if (cut_planes_ == "fixed")
     supports.fix({cut_plane});
   if (cut_planes_ == "common")
-    supports.fix({cut_plane}, other.values.empty() ? Body::FaceFilter() : held_beyond(other));
+    supports.fix({cut_plane}, other.values.empty() ? FaceFilter() : held_beyond(other));
   if (cut_planes_ == "sliding")
     for (unsigned d = 0; d < 3; ++d) {
       Tensor<1, 3> axis;

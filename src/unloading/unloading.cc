@@ -71,7 +71,7 @@ void Unloading::add_force(const NodeVector& increment, double ramp_time) {
 double Unloading::adopt(const NodeVector& unloaded) {
   std::copy_n(unloaded.begin(), 3 * body_.n_owned_nodes(), state_.unloaded.begin());
   state_.unloaded.update_ghost_values();
-  supports_.put_on_surfaces(state_.unloaded);
+  supports_.contacts().put_on_surfaces(state_.unloaded);
   const NodeVector& loaded = body_.vertex_positions();
   for (unsigned i = 0; i < 3 * body_.n_local_nodes(); ++i)
     state_.displacement.local_element(i) =
@@ -83,7 +83,7 @@ double Unloading::adopt(const NodeVector& unloaded) {
   state_.force = 0.;
   state_.force_increment = 0.;
   update_external_force();
-  supports_.linearize(state_.unloaded, state_.displacement);
+  supports_.contacts().linearize(state_.unloaded, state_.displacement);
   NodeVector out_of_balance = external_force_;
   const double jacobian = Utilities::MPI::min(
       internal_force_.subtract(state_.displacement, out_of_balance), body_.communicator());
@@ -111,7 +111,7 @@ UnloadingResult Unloading::simulate(unsigned max_steps, bool until_settled) {
     const double ramp = guard_->values().gravity_ramp;
     state_.loading += ramp > 0. ? duration * damping_.time_scale() / ramp : 1.;
     update_external_force();
-    supports_.linearize(state_.unloaded, state_.displacement);
+    supports_.contacts().linearize(state_.unloaded, state_.displacement);
     min_jacobian_ = std::numeric_limits<double>::max();
     for (unsigned i = 0; i < n; ++i) {
       const double jacobian = integrator_.step(external_force_, state_.displacement);
@@ -174,7 +174,7 @@ void Unloading::correct_unloaded_positions() {
     double& X = state_.unloaded.local_element(i);
     X += beta * (loaded.local_element(i) - state_.displacement.local_element(i) - X);
   }
-  supports_.put_on_surfaces(state_.unloaded);
+  supports_.contacts().put_on_surfaces(state_.unloaded);
   update_reference();
 }
 

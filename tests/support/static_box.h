@@ -2,6 +2,7 @@
 #define PROSUP_TESTS_STATIC_BOX_H
 
 #include "box.h"
+#include "prosup/mechanics/body/boundary.h"
 #include "prosup/mechanics/static/quasi_static.h"
 
 namespace prosup::tests {
@@ -16,7 +17,7 @@ struct StaticBox {
     if (!linear_algebra.empty())
       parameters.linear_algebra = linear_algebra;
     solver.set_material(material);
-    solver.set_fixed_nodes(body.nodes_on_boundary({3}));
+    solver.set_fixed_nodes(nodes_on_boundary(body, {3}));
     solver.set_body_force(dealii::Tensor<1, 3>({0., -9.81, 0.})); // g/(mm^2 s^2)
     body.initialize(displacement);
     displacement.update_ghost_values();

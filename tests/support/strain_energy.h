@@ -61,9 +61,9 @@ inline double strain_energy(const mechanics::Body& body, const mechanics::Materi
       }
     }
   if (averaged) {
-    V = body.sum_over_ranks(V);
-    VJ = body.sum_over_ranks(VJ);
-    Vlambda = body.sum_over_ranks(Vlambda);
+    V = sum_over_ranks(body, V);
+    VJ = sum_over_ranks(body, VJ);
+    Vlambda = sum_over_ranks(body, Vlambda);
     const auto add_volumetric = [&](const auto& law) {
       for (unsigned node = 0; node < body.n_owned_nodes(); ++node)
         sum += law.volume_energy(Vlambda[node], std::log(VJ[node] / V[node]));

@@ -5,6 +5,7 @@
 
 #include "box.h"
 #include "figures.h"
+#include "prosup/mechanics/body/boundary.h"
 #include "prosup/mechanics/element/internal_force.h"
 
 namespace prosup::tests {
@@ -54,7 +55,7 @@ Response deform(const Element& element, const Law& law, const Tensor<2, 3>& F, u
       u.local_element(3 * node + c) = (F * X - X)[c];
   }
   forces.subtract(u, f);
-  const std::vector<bool> on_face = body.nodes_on_boundary({2 * face_axis + 1});
+  const std::vector<bool> on_face = nodes_on_boundary(body, {2 * face_axis + 1});
   Response response;
   for (unsigned node = 0; node < body.n_owned_nodes(); ++node) {
     const Tensor<1, 3> internal = -node_value(f, node);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "figures.h"
+#include "prosup/mechanics/body/boundary.h"
 #include "prosup/mechanics/laws/stress.h"
 #include "static_box.h"
 
@@ -95,7 +96,7 @@ NodeVector nodal_body_force(const Body& body) {
   NodeVector force;
   body.initialize(force);
   for (unsigned c = 0; c < 3; ++c) {
-    const std::vector<double> sum = body.sum_over_ranks(sums[c]);
+    const std::vector<double> sum = sum_over_ranks(body, sums[c]);
     for (unsigned node = 0; node < body.n_owned_nodes(); ++node)
       force.local_element(3 * node + c) = sum[node];
   }
@@ -126,7 +127,7 @@ Errors errors(const Body& body, const NodeVector& u) {
 
 Errors solve(ElementType type, unsigned n) {
   StaticBox box({n, n, n}, {edge, edge, edge}, type, material);
-  const std::vector<bool> boundary = box.body.nodes_on_boundary({0, 1, 2, 3, 4, 5});
+  const std::vector<bool> boundary = nodes_on_boundary(box.body, {0, 1, 2, 3, 4, 5});
   box.solver.set_fixed_nodes(boundary);
   box.solver.set_body_force({});
   box.solver.set_external_force(nodal_body_force(box.body));

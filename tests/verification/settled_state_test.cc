@@ -7,6 +7,7 @@
 #include "prosup/core/collective.h"
 #include "prosup/image/image_io.h"
 #include "prosup/mechanics/static/quasi_static.h"
+#include "prosup/mechanics/static/support_force.h"
 #include "prosup/mesh/distributed.h"
 #include "prosup/mesh/mask_mesher.h"
 #include "prosup/unloading/support_parameters.h"
@@ -93,9 +94,9 @@ struct Breast {
     parameters.tolerance = 1e-10;
     QuasiStatic solver(parameters, body);
     solver.set_material(material);
-    const auto support_force = supports->nodal_force(contact_stiffness);
+    const auto nodal_force = support_force(*supports, contact_stiffness);
     solver.set_fixed_nodes(supports->fixed());
-    solver.set_nodal_force(support_force.get());
+    solver.set_nodal_force(nodal_force.get());
     solver.set_body_force(9.81 * prone);
     NodeVector result = body.vertex_positions();
     result.update_ghost_values();
@@ -159,7 +160,7 @@ TEST_P(SettledState, ExplicitAgainstNewton) {
       EXPECT_GT(motion, 2.) << direction_of(way);
     }
     tell_figure(scene(GetParam(), way) + format(", %u nodes that move up to %.1f mm",
-                                                breast.body.n_global_nodes(), motion),
+                                                n_global_nodes(breast.body), motion),
                 "explicit against Newton", format("%.1e mm at most", distance),
                 format("%.2f mm", bound));
   }

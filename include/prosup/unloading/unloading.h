@@ -106,7 +106,9 @@ public:
   /// u of the forward simulation, mm, with ghosts.
   const NodeVector& displacement() const { return state_.displacement; }
   /// Largest distance of a node that slides from its surface, mm. Collective.
-  double largest_gap() const { return supports_.largest_gap(unloaded(), displacement()); }
+  double largest_gap() const {
+    return supports_.contacts().largest_gap(unloaded(), displacement());
+  }
   double time_step() const { return integrator_.time_step(); }
   /// r/rho, 1/s; without damping that of the first steps.
   double damping_rate() const { return damping_.time_scale(); }

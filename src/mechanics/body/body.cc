@@ -37,9 +37,6 @@ void reorder(std::vector<T>& values, const std::vector<unsigned>& order, unsigne
   values.swap(reordered);
 }
 
-/// Parts of the area of a quadratic face.
-constexpr double area_at_corner = 1. / 12., area_at_edge = 1. / 4.;
-
 } // namespace
 
 Body::Body(const Triangulation<3>& triangulation, Element element)
@@ -65,7 +62,6 @@ void Body::number_nodes(const Triangulation<3>& triangulation) {
   const IndexSet owned = three_per_node(nodes.locally_owned_dofs());
   partitioner_ =
       std::make_shared<Utilities::MPI::Partitioner>(owned, three_per_node(active), communicator_);
-  n_global_nodes_ = nodes.n_dofs();
   n_owned_nodes_ = nodes.n_locally_owned_dofs();
   n_local_nodes_ = n_owned_nodes_ + partitioner_->n_ghost_indices() / 3;
   initialize(vertex_positions_);
@@ -116,8 +112,6 @@ void Body::sort_elements() {
     return std::make_pair(is_interior(a), first_node(a)) <
            std::make_pair(is_interior(b), first_node(b));
   });
-  n_interface_elements_ =
-      static_cast<unsigned>(order.size() - std::count_if(order.begin(), order.end(), is_interior));
   reorder(element_nodes_, order, n);
   reorder(material_ids_, order);
   reorder(mesh_cells_, order);
@@ -143,56 +137,6 @@ void Body::initialize(NodeVector& vector) const {
   vector.reinit(partitioner_);
 }
 
-std::vector<double> Body::sum_over_ranks(const std::vector<double>& at_local_nodes) const {
-  NodeVector sum;
-  initialize(sum);
-  for (unsigned node = 0; node < n_local_nodes_; ++node)
-    sum.local_element(3 * node) = at_local_nodes[node];
-  sum.compress(VectorOperation::add);
-  sum.update_ghost_values();
-  std::vector<double> result(n_local_nodes_);
-  for (unsigned node = 0; node < n_local_nodes_; ++node)
-    result[node] = sum.local_element(3 * node);
-  return result;
-}
-
-std::vector<bool> Body::nodes_on_boundary(const std::set<types::boundary_id>& ids,
-                                          const FaceFilter& counts) const {
-  const auto passes = [&](const BoundaryFace& face) {
-    const auto corner = [&](unsigned v) { return node_value(vertex_positions_, face.nodes[v]); };
-    const Tensor<1, 3> normal = cross_product_3d(corner(1) - corner(0), corner(2) - corner(0));
-    return counts((corner(0) + corner(1) + corner(2)) / 3., normal / normal.norm());
-  };
-  std::vector<double> marks(n_local_nodes_, 0.);
-  for (const BoundaryFace& face : boundary_faces_)
-    if (ids.count(face.id) > 0 && (!counts || passes(face)))
-      for (const unsigned node : face.nodes)
-        marks[node] = 1.;
-  // A node may touch the boundary only through an element of another rank.
-  marks = sum_over_ranks(marks);
-  std::vector<bool> on_boundary(n_local_nodes_);
-  std::transform(marks.begin(), marks.end(), on_boundary.begin(),
-                 [](double mark) { return mark > 0.; });
-  return on_boundary;
-}
-
-std::vector<double> Body::lumped_area(const std::set<types::boundary_id>& ids,
-                                      const NodeVector& positions) const {
-  std::vector<double> area(n_local_nodes_, 0.);
-  for (const BoundaryFace& face : boundary_faces_) {
-    if (ids.count(face.id) == 0)
-      continue;
-    const auto corner = [&](unsigned v) { return node_value(positions, face.nodes[v]); };
-    const double total =
-        0.5 * cross_product_3d(corner(1) - corner(0), corner(2) - corner(0)).norm();
-    for (unsigned v = 0; v < face.nodes.size(); ++v)
-      area[face.nodes[v]] += total * (face.nodes.size() == 3 ? 1. / 3.
-                                      : v < 3                ? area_at_corner
-                                                             : area_at_edge);
-  }
-  return sum_over_ranks(area);
-}
-
 std::vector<std::array<Point<3>, 4>> Body::gather_at_cells(const NodeVector& vector) const {
   using CellValues = std::pair<std::vector<unsigned>, std::vector<double>>;
   CellValues mine{cell_ids_, {}};
@@ -213,6 +157,19 @@ std::vector<std::array<Point<3>, 4>> Body::gather_at_cells(const NodeVector& vec
         values[ids[i]][v] = Point<3>(numbers[12 * i + 3 * v], numbers[12 * i + 3 * v + 1],
                                      numbers[12 * i + 3 * v + 2]);
   return values;
+}
+
+std::vector<double> sum_over_ranks(const Body& body, const std::vector<double>& at_local_nodes) {
+  NodeVector sum;
+  body.initialize(sum);
+  for (unsigned node = 0; node < body.n_local_nodes(); ++node)
+    sum.local_element(3 * node) = at_local_nodes[node];
+  sum.compress(VectorOperation::add);
+  sum.update_ghost_values();
+  std::vector<double> result(body.n_local_nodes());
+  for (unsigned node = 0; node < body.n_local_nodes(); ++node)
+    result[node] = sum.local_element(3 * node);
+  return result;
 }
 
 } // namespace prosup::mechanics

@@ -57,13 +57,26 @@ const kernel::Kernels<Real>& kernels_named(const std::string& instruction_set) {
   return *all[n - 1]; // the last is the best
 }
 
+/// Number of elements with nodes of other ranks; they come first.
+unsigned n_interface_elements(const Body& body) {
+  const auto is_interior = [&](unsigned element) {
+    const unsigned* nodes = body.element_nodes(element);
+    return std::all_of(nodes, nodes + body.element().n_nodes(),
+                       [&](unsigned node) { return node < body.n_owned_nodes(); });
+  };
+  unsigned n = 0;
+  while (n < body.n_elements() && !is_interior(n))
+    ++n;
+  return n;
+}
+
 template <typename Real, typename Batch>
 class Batches : public ElementBatches {
 public:
   explicit Batches(const Body& body)
       : body_(body), is_averaged_(body.element().type == ElementType::nodal_pressure),
         kernels_(kernels_named<Real>(body.element().instruction_set)) {
-    const unsigned n_interface = body.n_interface_elements();
+    const unsigned n_interface = n_interface_elements(body);
     const unsigned half = (n_interface + body.n_elements()) / 2;
     add_part(interface, 0, n_interface);
     add_part(first_interior, n_interface, half);

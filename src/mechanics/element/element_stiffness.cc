@@ -18,7 +18,7 @@ std::vector<double> sum_elements(const Body& body, Add add) {
   std::vector<double> sums(body.n_local_nodes(), 0.);
   for (unsigned e = 0; e < body.n_elements(); ++e)
     add(e, body.element_nodes(e), sums);
-  return body.sum_over_ranks(sums);
+  return sum_over_ranks(body, sums);
 }
 
 /// The kinematics of a quadrature point that its tangent depends on.

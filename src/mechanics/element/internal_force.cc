@@ -68,7 +68,7 @@ struct InternalForce::Implementation {
     for (const auto part : {ElementBatches::interface, ElementBatches::first_interior,
                             ElementBatches::second_interior})
       elements->add_nodal_volumes(part, at, present_volume.data());
-    return body.sum_over_ranks(present_volume);
+    return sum_over_ranks(body, present_volume);
   }
 
   /// Writes the nodal pressures dU/dJ(J_a) behind the positions.
@@ -95,7 +95,7 @@ struct InternalForce::Implementation {
       for (unsigned a = 0; a < 4; ++a)
         nodal_lambda[nodes[a]] += quarter * material[e].lambda;
     }
-    nodal_lambda = body.sum_over_ranks(nodal_lambda);
+    nodal_lambda = sum_over_ranks(body, nodal_lambda);
     for (unsigned node = 0; node < body.n_local_nodes(); ++node)
       nodal_lambda[node] /= nodal_volume[node];
   }
@@ -204,7 +204,7 @@ InternalForce::WorstCell InternalForce::worst_cell(const NodeVector& positions,
     return result;
   for (unsigned a = 0; a < 4; ++a)
     result.centre += 0.25 * node_value(positions, body.element_nodes(worst)[a]);
-  result.cell = body.cell_ids()[worst * body.n_cells_per_element()] / body.n_cells_per_element();
+  result.cell = body.cell_ids()[worst * body.element().n_cells()] / body.element().n_cells();
   return result;
 }
 

@@ -64,7 +64,7 @@ StableMass stable_mass(const Supports& supports, const InternalForce& internal_f
     }
   }
   result.scaled_fraction = static_cast<double>(Utilities::MPI::sum(n_scaled, body.communicator())) /
-                           body.n_global_nodes();
+                           n_global_nodes(body);
   result.critical_step = highest_frequency.estimate(displacement, result.mass, supports.fixed())
                              .critical_step(largest_ratio(springs, result.mass, body));
   return result;
@@ -88,7 +88,8 @@ double CentralDifferences::step(const NodeVector& external_force, NodeVector& di
   std::copy_n(external_force.begin(), 3 * body_.n_owned_nodes(), force_.begin());
   min_jacobian_ = internal_force_.subtract(displacement, force_);
   const double h = time_step_;
-  supports_.add_forces(displacement, velocity_, mass_, h, force_);
+  supports_.add_spring_forces(displacement, force_);
+  supports_.contacts().add_correction_forces(displacement, velocity_, mass_, h, force_);
 
   const double decay = 1. / (1. + h * damping_rate_);
   double* v = velocity_.begin();
@@ -102,7 +103,7 @@ double CentralDifferences::step(const NodeVector& external_force, NodeVector& di
       *u += h * *v;
     }
   }
-  supports_.constrain(displacement, velocity_, force_);
+  supports_.contacts().constrain(displacement, velocity_, force_);
   return min_jacobian_;
 }
 

@@ -110,7 +110,7 @@ void ElasticMetric::list_couplings() {
 void ElasticMetric::add_elements(const Material& material, const NodeVector& unloaded) {
   const Tensor<2, 3> identity = unit_symmetric_tensor<3>();
   const auto add = [&](const auto& law) {
-    const unsigned n_per_element = body_.n_cells_per_element();
+    const unsigned n_per_element = body_.element().n_cells();
     for (unsigned cell = 0; cell < body_.cells().size(); ++cell) {
       const CellShape shape(body_.cells()[cell], unloaded);
       const PointResponse at_rest = response(law, material[cell / n_per_element], identity, 1.);

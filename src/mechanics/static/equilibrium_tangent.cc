@@ -90,7 +90,7 @@ void Equilibrium::add_nodal_tangents(const NodeVector& unknown, const AddBlock& 
 }
 
 DynamicSparsityPattern Equilibrium::node_pattern() const {
-  const unsigned n_nodes = body_.n_global_nodes();
+  const unsigned n_nodes = n_global_nodes(body_);
   DynamicSparsityPattern pattern(n_nodes, n_nodes);
   const auto couple = [&](const auto& nodes) {
     for (const auto row : nodes)

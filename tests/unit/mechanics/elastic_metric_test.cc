@@ -17,7 +17,7 @@ const Point<3> size(30., 20., 25.);
 constexpr LameParameters lame{300., 1200.};
 
 struct Box {
-  explicit Box(const Supports::BoundaryIds& fixed)
+  explicit Box(const BoundaryIds& fixed)
       : mesh(make_box(MPI_COMM_WORLD, {4, 3, 4}, size)), body(*mesh), supports(body, fixed) {
     unloaded = body.vertex_positions();
     unloaded.update_ghost_values();
@@ -109,7 +109,7 @@ TEST(ElasticMetric, AddedStiffnessActsWhereItIs) {
   for (const auto& cell : box.body.cells())
     for (const unsigned node : cell)
       n_cells_at[node] += 1.;
-  n_cells_at = box.body.sum_over_ranks(n_cells_at);
+  n_cells_at = sum_over_ranks(box.body, n_cells_at);
   constexpr double factor = 3.;
   for (unsigned node = 0; node < box.body.n_owned_nodes(); ++node)
     for (unsigned c = 0; c < 3; ++c)

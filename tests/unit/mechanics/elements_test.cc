@@ -6,6 +6,7 @@
 
 #include "all_laws.h"
 #include "box.h"
+#include "prosup/mechanics/body/boundary.h"
 #include "prosup/mechanics/element/internal_force.h"
 #include "prosup/mechanics/explicit/critical_step.h"
 #include "strain_energy.h"
@@ -190,7 +191,7 @@ TEST(Elements, PatchTest) {
     Block block(element);
     block.kernel.set_material({lame_parameters(500., 0.45)});
     const NodeVector force = block.force(block.field([&](const Tensor<1, 3>& X) { return H * X; }));
-    const std::vector<bool> boundary = block.body.nodes_on_boundary({0, 1, 2, 3, 4, 5});
+    const std::vector<bool> boundary = nodes_on_boundary(block.body, {0, 1, 2, 3, 4, 5});
     double inside = 0.;
     unsigned n_inside = 0;
     for (unsigned node = 0; node < block.body.n_owned_nodes(); ++node)

@@ -7,6 +7,7 @@
 
 #include "all_laws.h"
 #include "box.h"
+#include "prosup/mechanics/body/boundary.h"
 #include "prosup/mechanics/laws/stress.h"
 
 namespace prosup::tests {
@@ -50,7 +51,7 @@ protected:
       of_elements.push_back(lame_parameters(gland ? 500. : 200., 0.45));
     }
     material = {of_elements, all_laws()[std::get<1>(GetParam())]};
-    fixed = body.nodes_on_boundary({2});
+    fixed = nodes_on_boundary(body, {2});
     equations.set_material(material);
     equations.set_fixed_nodes(fixed);
     equations.set_external_force(weight, nodal);
@@ -107,7 +108,7 @@ protected:
 
   /// K d with the rows and columns wherever they were added up.
   NodeVector times(const NodeVector& unknown, const NodeVector& d) const {
-    const unsigned n = 3 * body.n_global_nodes();
+    const unsigned n = 3 * n_global_nodes(body);
     std::vector<double> whole(n, 0.), product(n, 0.);
     const unsigned begin = static_cast<unsigned>(*d.locally_owned_elements().begin());
     for (unsigned i = 0; i < d.locally_owned_size(); ++i)
@@ -181,9 +182,9 @@ double nodal_pressure_energy(const Body& body, const Material& material, const N
       lambda[node] += V_e * material[e].lambda / 4.;
     }
   }
-  V = body.sum_over_ranks(V);
-  v = body.sum_over_ranks(v);
-  lambda = body.sum_over_ranks(lambda);
+  V = sum_over_ranks(body, V);
+  v = sum_over_ranks(body, v);
+  lambda = sum_over_ranks(body, lambda);
   for (unsigned a = 0; a < body.n_owned_nodes(); ++a)
     energy += lambda[a] / 2. * std::pow(std::log(v[a] / V[a]), 2);
   return Utilities::MPI::sum(energy, MPI_COMM_WORLD);

@@ -1,3 +1,4 @@
+#include "prosup/mechanics/body/boundary.h"
 #include "prosup/mechanics/element/internal_force.h"
 
 #include <deal.II/base/mpi.h>
@@ -176,7 +177,7 @@ TEST(InternalForce, LumpedVolumeIsTheVolume) {
 
 TEST(Body, BoundaryNodesAndGatheredCells) {
   Fixture f;
-  const std::vector<bool> low_x = f.body.nodes_on_boundary({0});
+  const std::vector<bool> low_x = nodes_on_boundary(f.body, {0});
   unsigned n = 0;
   for (unsigned node = 0; node < f.body.n_owned_nodes(); ++node) {
     EXPECT_EQ(low_x[node], std::abs(f.body.vertex_positions().local_element(3 * node)) < 1e-9);

@@ -1,3 +1,4 @@
+#include "prosup/mechanics/body/boundary.h"
 #include "prosup/mechanics/static/quasi_static.h"
 
 #include <deal.II/base/mpi.h>
@@ -99,7 +100,7 @@ TEST(QuasiStatic, FixedNodesKeepPrescribedDisplacements) {
   for (const ElementType type :
        {ElementType::linear, ElementType::nodal_pressure, ElementType::quadratic}) {
     Box box({3, 2, 3}, {6., 5., 7.}, type, lame_parameters(300., 0.45));
-    const std::vector<bool> fixed = box.body.nodes_on_boundary({0, 1, 2, 3, 4, 5});
+    const std::vector<bool> fixed = nodes_on_boundary(box.body, {0, 1, 2, 3, 4, 5});
     box.solver.set_fixed_nodes(fixed);
     box.solver.set_body_force({});
     NodeVector affine;
@@ -121,7 +122,7 @@ TEST(QuasiStatic, FixedNodesKeepPrescribedDisplacements) {
 TEST(QuasiStatic, SpringsCarryTheWeight) {
   Box box({3, 3, 3}, {30., 20., 30.}, ElementType::linear, lame_parameters(2000., 0.4));
   Springs springs;
-  springs.held = box.body.nodes_on_boundary({3});
+  springs.held = nodes_on_boundary(box.body, {3});
   springs.k = 5000.;
   box.solver.set_fixed_nodes(std::vector<bool>(box.body.n_local_nodes(), false));
   box.solver.set_nodal_force(&springs);
@@ -149,7 +150,7 @@ TEST(QuasiStatic, ConstantNodalForcesActAsTheirSum) {
   for (unsigned node = 0; node < box.body.n_owned_nodes(); ++node)
     force.local_element(3 * node) = 30.;
   Springs springs;
-  springs.held = box.body.nodes_on_boundary({3});
+  springs.held = nodes_on_boundary(box.body, {3});
   springs.k = 5000.;
   box.solver.set_fixed_nodes(std::vector<bool>(box.body.n_local_nodes(), false));
   box.solver.set_nodal_force(&springs);
@@ -211,7 +212,7 @@ TEST(QuasiStatic, RefusesWhatItCannotSolve) {
       {"2 entries"});
   solver.set_material({{100., 100.}});
   expect_error(load, {"Nothing holds"});
-  solver.set_fixed_nodes(body.nodes_on_boundary({3}));
+  solver.set_fixed_nodes(nodes_on_boundary(body, {3}));
   parameters.linear_algebra = "abacus";
   expect_error(load, {"abacus", "petsc-gamg"});
 }

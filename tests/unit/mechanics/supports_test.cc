@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "box.h"
+#include "prosup/mechanics/static/support_force.h"
 
 namespace prosup::tests {
 namespace {
@@ -71,10 +72,10 @@ TEST(Supports, ProjectionLeavesNodesOnTheirLevelSetsWithTangentialMotion) {
   SupportedBox box;
   box.shake();
   for (unsigned i = 0; i < 3; ++i) { // planes instead of spheres: the rest is of second order
-    box.supports.linearize(box.unloaded, box.u);
-    box.supports.constrain(box.u, box.v, box.f);
+    box.supports.contacts().linearize(box.unloaded, box.u);
+    box.supports.contacts().constrain(box.u, box.v, box.f);
   }
-  EXPECT_LT(box.supports.largest_gap(box.unloaded, box.u), 1e-6);
+  EXPECT_LT(box.supports.contacts().largest_gap(box.unloaded, box.u), 1e-6);
   const Spheres spheres(Point<3>(10., -60., 10.));
   double moved = 0.;
   for (const unsigned node : sliding_nodes(box.body)) {
@@ -101,8 +102,8 @@ TEST(Supports, OneSidedContactHoldsWhatSinksInAndLetsGoWhatLiftsOff) {
       box.f.local_element(3 * node + 1) = direction;
     }
     box.u.update_ghost_values();
-    box.supports.linearize(box.unloaded, box.u);
-    box.supports.constrain(box.u, box.v, box.f);
+    box.supports.contacts().linearize(box.unloaded, box.u);
+    box.supports.contacts().constrain(box.u, box.v, box.f);
     Tensor<1, 3> n;
     const Spheres spheres(Point<3>(10., -60., 10.));
     for (const unsigned node : sliding_nodes(box.body)) {
@@ -123,10 +124,10 @@ TEST(Supports, NodesOnTwoSurfacesStayOnBoth) {
   box.supports.slide_on(std::make_shared<ParallelPlanes>(normal), {2}, ContactLaw::tied);
   box.shake();
   for (unsigned i = 0; i < 4; ++i) {
-    box.supports.linearize(box.unloaded, box.u);
-    box.supports.constrain(box.u, box.v, box.f);
+    box.supports.contacts().linearize(box.unloaded, box.u);
+    box.supports.contacts().constrain(box.u, box.v, box.f);
   }
-  EXPECT_LT(box.supports.largest_gap(box.unloaded, box.u), 1e-6);
+  EXPECT_LT(box.supports.contacts().largest_gap(box.unloaded, box.u), 1e-6);
   for (const unsigned node : sliding_nodes(box.body))
     EXPECT_NEAR(normal * node_value(box.v, node), 0., 1e-9);
 }
@@ -137,10 +138,13 @@ TEST(Supports, FixedNodesNeitherSlideNorFeelSprings) {
   box.supports.set_reference(box.unloaded);
   box.shake();
   const NodeVector before = box.f;
-  box.supports.add_forces(box.u, box.v, std::vector<double>(box.body.n_local_nodes(), 1.), 1.,
-                          box.f);
-  box.supports.linearize(box.unloaded, box.u);
-  box.supports.constrain(box.u, box.v, box.f);
+  box.supports.add_spring_forces(box.u, box.f);
+  box.supports.contacts().set_method(ContactMethod::gradual, {});
+  box.supports.contacts().add_correction_forces(
+      box.u, box.v, std::vector<double>(box.body.n_local_nodes(), 1.), 1., box.f);
+  box.supports.contacts().set_method(ContactMethod::projection, {});
+  box.supports.contacts().linearize(box.unloaded, box.u);
+  box.supports.contacts().constrain(box.u, box.v, box.f);
   for (unsigned i = 0; i < 3 * box.body.n_owned_nodes(); ++i)
     EXPECT_EQ(box.f.local_element(i), before.local_element(i));
 }
@@ -150,16 +154,16 @@ TEST(Supports, SpringsPullBackInProportionToTheirArea) {
   SupportedBox box;
   for (unsigned node = 0; node < box.body.n_owned_nodes(); ++node)
     box.u.local_element(3 * node) = 1.;
-  box.supports.add_forces(box.u, box.v, {}, 1., box.f);
+  box.supports.add_spring_forces(box.u, box.f);
   double sum = 0.;
   for (unsigned node = 0; node < box.body.n_owned_nodes(); ++node)
     sum += box.f.local_element(3 * node);
   EXPECT_NEAR(Utilities::MPI::sum(sum, MPI_COMM_WORLD), -8. * 400., 1e-6);
 }
 
-TEST(Supports, NodalForceHasTheTangentsOfItsDerivatives) {
+TEST(SupportForce, TangentsAreItsDerivatives) {
   const SupportedBox box;
-  const auto nodal_force = box.supports.nodal_force(1000.);
+  const auto nodal_force = support_force(box.supports, 1000.);
   const auto nodes = sliding_nodes(box.body);
   if (nodes.empty())
     return;

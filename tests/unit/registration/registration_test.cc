@@ -54,7 +54,7 @@ struct Scene {
       const auto mesh = make_box(ranks.group(), n_cells, size, loaded[s]);
       state.body = std::make_unique<mechanics::Body>(*mesh);
       state.supports =
-          std::make_unique<mechanics::Supports>(*state.body, mechanics::Supports::BoundaryIds{3});
+          std::make_unique<mechanics::Supports>(*state.body, mechanics::BoundaryIds{3});
       state.unloading =
           std::make_unique<unloading::Unloading>(parameters, *state.supports, gravity[s]);
       state.image = image_of(loaded[s]);

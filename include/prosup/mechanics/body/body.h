@@ -7,9 +7,7 @@
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <array>
-#include <functional>
 #include <memory>
-#include <set>
 #include <vector>
 
 #include "prosup/mechanics/body/element.h"
@@ -20,9 +18,15 @@ namespace prosup::mechanics {
 /// and then the ghosts; units depend on the quantity (mm, mm/s, g mm/s^2).
 using NodeVector = dealii::LinearAlgebra::distributed::Vector<double>;
 
-/// A body discretised by tetrahedra: the nodes and elements of one rank's part
-/// of a (serial or distributed) simplex triangulation, numbered for locality,
-/// and the exchange between the ranks. It knows no image.
+/// A boundary face of an element.
+struct BoundaryFace {
+  std::vector<unsigned> nodes; ///< three corners, then the nodes of the edges if quadratic
+  dealii::types::boundary_id id;
+};
+
+/// A body of tetrahedra: the nodes and elements of one rank's part of a (serial or distributed)
+/// simplex triangulation, numbered for locality, and the exchange between the ranks. It knows
+/// no image.
 class Body {
 public:
   /// @throws Error if a cell is not a tetrahedron.
@@ -34,14 +38,12 @@ public:
   unsigned n_owned_nodes() const { return n_owned_nodes_; }
   /// Owned nodes and ghosts.
   unsigned n_local_nodes() const { return n_local_nodes_; }
-  unsigned n_global_nodes() const { return n_global_nodes_; }
-  /// Of all ranks, as cells().
-  unsigned n_global_cells() const { return n_global_elements_ * n_cells_per_element(); }
+  /// Number of cells() of all ranks.
+  unsigned n_global_cells() const { return n_global_elements_ * element_.n_cells(); }
 
-  /// Owned elements of this rank. Those that touch a node of another rank come
-  /// first, then both parts are ordered for locality.
+  /// Owned elements of this rank. Those with nodes of other ranks come first; within both groups
+  /// elements are ordered for locality.
   unsigned n_elements() const { return static_cast<unsigned>(material_ids_.size()); }
-  unsigned n_interface_elements() const { return n_interface_elements_; }
   /// Local numbers of the element().n_nodes() nodes of an element: its corners,
   /// and for quadratic elements the nodes of `tet_edges`.
   const unsigned* element_nodes(unsigned element) const {
@@ -54,47 +56,25 @@ public:
   /// local node numbers: the elements themselves, or the `tet_children` of each
   /// quadratic one.
   const std::vector<std::array<unsigned, 4>>& cells() const { return cells_; }
-  unsigned n_cells_per_element() const { return element_.degree() == 1 ? 1 : 8; }
-  /// Index of each of these cells in the mesh that the triangulation was made
-  /// of; child c of mesh cell i has the index 8 i + c.
+  /// Index of each of these cells in the mesh from which the triangulation was made; child c of
+  /// the mesh cell i has the index 8 i + c.
   const std::vector<unsigned>& cell_ids() const { return cell_ids_; }
 
-  /// Positions of the nodes as the triangulation has them, ghosts included, mm.
-  /// Those of quadratic elements lie in the middle of straight edges.
+  /// Positions of the nodes in the triangulation, ghosts included, mm. The additional nodes of
+  /// quadratic elements lie in the middle of straight edges.
   const NodeVector& vertex_positions() const { return vertex_positions_; }
 
-  /// Gives `vector` this body's layout, all zero.
+  /// Gives `vector` the layout of this body and sets it to zero.
   void initialize(NodeVector& vector) const;
 
-  /// Sums values at all local nodes over the ranks that share a node; the
-  /// result is known for ghosts too. Collective.
-  std::vector<double> sum_over_ranks(const std::vector<double>& at_local_nodes) const;
-
-  /// Whether a boundary face with this centre (mm) and unit normal counts.
-  using FaceFilter =
-      std::function<bool(const dealii::Tensor<1, 3>& centre, const dealii::Tensor<1, 3>& normal)>;
-
-  /// For each local node: does it lie on a boundary face with one of `ids` (that
-  /// passes the filter, if one is given)? Collective.
-  std::vector<bool> nodes_on_boundary(const std::set<dealii::types::boundary_id>& ids,
-                                      const FaceFilter& counts = {}) const;
-
-  /// Area of the boundary faces with one of `ids` lumped to the local nodes,
-  /// mm^2, with nodes at `positions`: a third of a linear face at each corner;
-  /// 1/12 at the corners and 1/4 at the edges of a quadratic one. Collective.
-  std::vector<double> lumped_area(const std::set<dealii::types::boundary_id>& ids,
-                                  const NodeVector& positions) const;
+  /// The boundary faces of the elements of this rank; see boundary.h.
+  const std::vector<BoundaryFace>& boundary_faces() const { return boundary_faces_; }
 
   /// Values of `vector` at the corners of all cells, indexed by cell id, on
   /// rank 0 of the communicator; empty elsewhere.
   std::vector<std::array<dealii::Point<3>, 4>> gather_at_cells(const NodeVector& vector) const;
 
 private:
-  struct BoundaryFace {
-    std::vector<unsigned> nodes; ///< three corners, then the nodes of the edges if quadratic
-    dealii::types::boundary_id id;
-  };
-
   void number_nodes(const dealii::Triangulation<3>& triangulation);
   void sort_elements();
   void list_cells();
@@ -104,9 +84,7 @@ private:
   std::shared_ptr<const dealii::Utilities::MPI::Partitioner> partitioner_;
   unsigned n_owned_nodes_ = 0;
   unsigned n_local_nodes_ = 0;
-  unsigned n_global_nodes_ = 0;
   unsigned n_global_elements_ = 0;
-  unsigned n_interface_elements_ = 0;
   std::vector<unsigned> element_nodes_;
   std::vector<unsigned> material_ids_;
   std::vector<unsigned> mesh_cells_; // of each element
@@ -116,7 +94,16 @@ private:
   NodeVector vertex_positions_;
 };
 
-/// View of the three values of one node.
+/// Number of nodes of all ranks.
+inline unsigned n_global_nodes(const Body& body) {
+  return static_cast<unsigned>(body.vertex_positions().size() / 3);
+}
+
+/// Sums values at all local nodes over the ranks that share a node; the result is valid at ghosts
+/// too. Collective.
+std::vector<double> sum_over_ranks(const Body& body, const std::vector<double>& at_local_nodes);
+
+/// The three values of one node.
 inline dealii::Tensor<1, 3> node_value(const NodeVector& vector, unsigned local_node) {
   const double* v = vector.begin() + 3 * static_cast<std::size_t>(local_node);
   return dealii::Tensor<1, 3>({v[0], v[1], v[2]});

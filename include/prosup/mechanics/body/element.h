@@ -25,6 +25,8 @@ struct Element {
 
   unsigned degree() const { return type == ElementType::quadratic ? 2 : 1; }
   unsigned n_nodes() const { return type == ElementType::quadratic ? 10 : 4; }
+  /// Linear tetrahedra that interpolate nodal fields in an element; see Body::cells().
+  unsigned n_cells() const { return degree() == 1 ? 1 : 8; }
 };
 
 /// The elements and precisions that can be chosen by name, in the order of

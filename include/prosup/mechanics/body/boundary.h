@@ -1,0 +1,31 @@
+#ifndef PROSUP_MECHANICS_BOUNDARY_H
+#define PROSUP_MECHANICS_BOUNDARY_H
+
+#include <functional>
+#include <set>
+#include <vector>
+
+#include "prosup/mechanics/body/body.h"
+
+namespace prosup::mechanics {
+
+using BoundaryIds = std::set<dealii::types::boundary_id>;
+
+/// Whether a boundary face with this centre (mm) and unit normal counts.
+using FaceFilter =
+    std::function<bool(const dealii::Tensor<1, 3>& centre, const dealii::Tensor<1, 3>& normal)>;
+
+/// For each local node, whether it lies on a boundary face with one of `ids` that passes the
+/// filter, if there is one. Collective.
+std::vector<bool> nodes_on_boundary(const Body& body, const BoundaryIds& ids,
+                                    const FaceFilter& counts = {});
+
+/// Area of the boundary faces with one of `ids`, lumped to the local nodes, mm^2, with nodes at
+/// `positions`: a third of a linear face at each corner; 1/12 at the corners and 1/4 at the edges
+/// of a quadratic one. Collective.
+std::vector<double> lumped_area(const Body& body, const BoundaryIds& ids,
+                                const NodeVector& positions);
+
+} // namespace prosup::mechanics
+
+#endif
