@@ -29,20 +29,19 @@ void ElementParameters::declare_parameters(ParameterHandler& prm) {
   prm.add_parameter(
       "Type", type_,
       "Finite element. nodal-pressure: 4-node tetrahedra with volume changes averaged at the "
-      "nodes (Joldes et al. 2009), which do not lock near incompressibility. linear: the same "
-      "without, a little faster. quadratic: 10-node tetrahedra, most accurate for a mesh; they "
-      "allow for about twice the edge length. Units: none.",
+      "nodes (Joldes et al. 2009), which do not lock near incompressibility. linear: 4-node "
+      "tetrahedra without this averaging, a little faster. quadratic: 10-node tetrahedra, the most "
+      "accurate on a given mesh; edges can be about twice as long.",
       one_of(element_names()));
   prm.add_parameter("Precision", precision_,
-                    "Floating-point numbers in which internal forces are computed; positions "
-                    "are double always. Units: none.",
+                    "Floating-point precision of the internal forces; positions are always double.",
                     one_of(precision_names()));
   std::vector<std::string> sets = instruction_set_names();
   sets.insert(sets.begin(), "best");
   prm.add_parameter("Instruction set", instruction_set_,
-                    "What the forces are computed with; best is the best that this processor "
-                    "has, another one makes results equal to the last digit on all processors "
-                    "that have it. Units: none.",
+                    "Processor instructions used for the internal forces. best: the best that "
+                    "this processor has. With a named set, results are equal to the last digit on "
+                    "all processors that have it.",
                     one_of(sets));
 }
 

@@ -9,27 +9,25 @@
 
 namespace prosup::mechanics {
 
-/// The elements of a body in batches for the kernels, in the body's precision.
-/// Nodal fields are those of the kernels: kernel::node_stride doubles a node,
-/// n_padded_nodes() nodes, of which those beyond the body's own belong to
-/// lanes without an element.
+/// The elements of a body in batches for the kernels, in the precision of the body. Nodal fields
+/// are laid out as the kernels need them: kernel::node_stride doubles per node, and n_padding_nodes
+/// nodes behind those of the body for lanes without an element.
 class ElementBatches {
 public:
-  /// Those with nodes of other ranks, and two halves of the rest, so that there
-  /// is work to do while ghost values travel in either direction.
+  /// The elements with nodes of other ranks, and two halves of the rest, which are computed while
+  /// ghost values are sent in either direction.
   enum Part { interface, first_interior, second_interior };
   static constexpr unsigned n_parts = 3;
 
   static std::unique_ptr<ElementBatches> create(const Body& body);
   virtual ~ElementBatches() = default;
 
-  /// As InternalForce::set_material.
   virtual void set_material(const Material& material) = 0;
-  /// Returns the smallest volume of a quadrature point times 6/weight: det dX/dxi.
+  /// Returns the smallest det dX/dxi at a quadrature point.
   virtual double set_reference(const double* positions) = 0;
   /// Adds internal forces; returns the smallest J.
   virtual double add_forces(Part part, const double* positions, double* force) const = 0;
-  /// First pass of averaged nodal pressure: volumes at the nodes, one double each.
+  /// First pass of averaged nodal pressure: adds volumes to the nodes, one double per node.
   virtual void add_nodal_volumes(Part part, const double* positions, double* volumes) const = 0;
 };
 

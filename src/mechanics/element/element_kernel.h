@@ -15,7 +15,7 @@ namespace prosup::mechanics::kernel {
 
 constexpr int n_lanes = 8;
 
-/// Nodal vectors have four doubles a node, aligned to 32 bytes: three
+/// Nodal vectors have four doubles per node, aligned to 32 bytes: three
 /// components and one of padding (or the nodal pressure, see below), so that
 /// lanes are gathered by whole loads and a transposition.
 constexpr int node_stride = 4;
@@ -46,8 +46,8 @@ using LinearBatch = Batch<Real, 1, 4>;
 template <typename Real>
 using QuadraticBatch = Batch<Real, 4, 10>;
 
-/// Lame parameters of eight elements, Pa. A body of one material has a single
-/// one of these and a stride of 0.
+/// Lame parameters of eight elements, Pa. A uniform body has a single one of these,
+/// with a stride of 0.
 template <typename Real>
 struct alignas(64) BatchMaterial {
   Real mu[n_lanes];
@@ -105,7 +105,7 @@ struct Kernels : KernelsOfLaws<Real, Laws> {
   }
 };
 
-/// All kernels that this processor can run, the plainest first; `n` of them.
+/// The kernels of all instruction sets of this processor, the simplest first; `n` of them.
 template <typename Real>
 const Kernels<Real>* const* all_kernels(int& n);
 

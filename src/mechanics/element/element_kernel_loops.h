@@ -12,7 +12,7 @@ namespace {
 
 constexpr double smallest_jacobian = 1e-3, beyond_all = 1e30;
 
-// Columns are derivatives by the reference coordinates.
+// Columns are derivatives with respect to the reference coordinates.
 template <typename Value>
 using Matrix = Value[3][3];
 
@@ -219,8 +219,8 @@ double add_nodal_pressure(const Law& law, const LinearBatch<typename Group::Real
   return smallest_lane<Group>(smallest);
 }
 
-// Quadratic elements. The derivatives by the barycentric coordinates L_m are
-// linear in L; at corner k they are 4 x_km - x_m, and 3 x_k for m = k, where
+// Quadratic elements. The derivatives with respect to the barycentric coordinates L_m
+// are linear in L; at corner k they are 4 x_km - x_m, and 3 x_k for m = k, where
 // x_km is the node of the edge between k and m. A quadrature point has one
 // barycentric coordinate alpha and three beta.
 constexpr double alpha = 0.5854101966249685, beta = 0.1381966011250105;

@@ -16,8 +16,8 @@ struct ElementShape {
   std::array<std::array<double, 10>, 4> value{};
   std::array<std::array<dealii::Tensor<1, 3>, 10>, 4> gradient{}; ///< d N_a / d xi
 
-  /// sum_a v_a (x) dN_a/dxi at point q for nodal vectors: columns are the
-  /// derivatives by xi. `nodes` as of Body::element_nodes().
+  /// sum_a v_a (x) dN_a/dxi at point q for nodal vectors; columns are derivatives with
+  /// respect to xi. `nodes` are those of Body::element_nodes().
   dealii::Tensor<2, 3> derivative(unsigned q, const unsigned* nodes,
                                   const NodeVector& vector) const {
     dealii::Tensor<2, 3> sum;

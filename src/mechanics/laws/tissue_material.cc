@@ -39,14 +39,14 @@ void TissueMaterial::declare_parameters(ParameterHandler& prm) {
                     "finite differences.",
                     one_of(law_names()));
   prm.add_parameter("Shear modulus", initial_.shear_modulus,
-                    "mu, the shear modulus to start with, common to all tissues and changed by the "
-                    "material update. Units: Pa. The default is the paper's generic material "
-                    "(E = 1 kPa, nu = 0.4).",
+                    "mu, common to all tissues. The material update starts from this value. "
+                    "Units: Pa. The default is the generic material of the paper (E = 1 kPa, "
+                    "nu = 0.4).",
                     Patterns::Double(1e-3, 1e9));
   prm.add_parameter(
       "Poisson ratio", initial_.poisson_ratio,
-      "nu, Poisson's ratio of all tissues; lambda = 2 mu nu / (1 - 2 nu). Units: none. "
-      "The default is the paper's generic material. Linear tetrahedra lock towards 0.5.",
+      "nu, common to all tissues; lambda = 2 mu nu / (1 - 2 nu). Units: none. The default is the "
+      "generic material of the paper. Linear tetrahedra lock as nu approaches 0.5.",
       Patterns::Double(0., 0.4999));
   prm.add_parameter("Stiffness ratios", stiffness_ratios_,
                     "Shear modulus of each tissue over 'Shear modulus', as 'label: ratio'. "

@@ -13,12 +13,13 @@ namespace prosup::mechanics {
 
 class NodalPressure;
 
-/// Which positions are sought while the others are known.
+/// Which positions are unknown; the others are given.
 enum class Unknown { loaded, unloaded };
 
-/// The equations of equilibrium of a body, internal(X, x) - external(X, x) = 0
-/// at the nodes that are free, with one of X and x unknown, and their
-/// derivative by it. Positions have their ghosts. Knows no linear algebra.
+/// The equations of equilibrium of a body at its free nodes,
+///   internal(X, x) - external(X, x) = 0,
+/// with either X or x unknown, and their derivative with respect to it. Positions include
+/// ghosts. Independent of the linear algebra.
 class Equilibrium {
 public:
   /// Adds a dense block, stored row by row, at the components of nodes with
@@ -30,16 +31,16 @@ public:
 
   const Body& body() const { return body_; }
 
-  /// @throws Error if there are neither one nor as many entries as elements.
+  /// @throws Error if the material is not uniform and has not one entry per element.
   void set_material(const Material& material);
   void set_fixed_nodes(const std::vector<bool>& fixed) { fixed_ = fixed; }
   void set_nodal_force(const NodalForce* force) { nodal_force_ = force; }
-  /// b (g/(mm^2 s^2)) per unloaded volume and constant nodal forces.
+  /// Body force b per unloaded volume (g/(mm^2 s^2)) and constant nodal forces (g mm/s^2).
   void set_external_force(const dealii::Tensor<1, 3>& body_force, const NodeVector& nodal);
   /// `known` has to live as long as the problem.
   void set_problem(Unknown unknown, const NodeVector& known);
-  /// Part of the external force that acts; nodal forces that follow the nodes
-  /// act in full.
+  /// Fraction of the external force that acts. The nodal force that depends on the positions
+  /// acts in full.
   void set_load_fraction(double fraction) { load_fraction_ = fraction; }
 
   /// @throws Error if there is no material or nothing holds the body. Collective.
@@ -48,13 +49,12 @@ public:
   /// Norm of the full external force at free nodes, g mm/s^2; 1 if there is none.
   double external_force_norm(const NodeVector& unknown) const;
 
-  /// Writes the residual at owned nodes, 0 at fixed ones, g mm/s^2.
-  /// @returns the smallest J of all ranks; if it is not positive, the residual
-  /// means nothing. Collective.
+  /// Writes the residual at owned nodes, 0 at fixed ones, g mm/s^2. Collective.
+  /// @returns the smallest J of all ranks; if it is not positive, the residual is not valid.
   double residual(const NodeVector& unknown, NodeVector& residual) const;
 
-  /// Adds up the derivative of the residual, 1 on the diagonal of fixed
-  /// components. The state has to be one of positive J. Collective.
+  /// Adds the derivative of the residual block by block, with 1 on the diagonal at fixed
+  /// components. All J have to be positive. Collective.
   void tangent(const NodeVector& unknown, const AddBlock& add) const;
 
   /// Pairs of nodes that the tangent couples, in the rows of owned nodes.

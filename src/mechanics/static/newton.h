@@ -10,7 +10,7 @@
 
 namespace prosup::mechanics {
 
-/// How Newton's method went, and where it stopped.
+/// Result of Newton's method.
 struct NewtonReport {
   bool converged = false;
   unsigned n_steps = 0;
@@ -18,18 +18,18 @@ struct NewtonReport {
   double residual_norm = std::numeric_limits<double>::infinity(); ///< g mm/s^2
 };
 
-/// When to stop.
+/// Stopping criteria.
 struct NewtonLimits {
   double residual_norm = 0.; ///< g mm/s^2
   unsigned max_steps = 0;
 };
 
-/// Newton's method with backtracking: a step after which some J is not
-/// positive, or the residual far too high, is shortened.
+/// Newton's method with backtracking: a step is shortened if some J would not be positive after
+/// it, or the residual far too high.
 class NewtonSolver {
 public:
   virtual ~NewtonSolver() = default;
-  /// Solves `equations` from `unknown` (ghosts in and out). Collective.
+  /// Solves `equations`, starting from `unknown`; ghosts are valid on entry and return. Collective.
   virtual NewtonReport solve(const Equilibrium& equations, NodeVector& unknown,
                              const NewtonLimits& limits) = 0;
 };
@@ -39,23 +39,24 @@ enum class LinearSolver { direct, multigrid };
 /// PETSc: SNES with MUMPS, or GMRES and GAMG.
 std::unique_ptr<NewtonSolver> make_petsc_newton(const Equilibrium& equations, LinearSolver solver);
 
-/// Trilinos: own loop with Amesos, or GMRES and ML.
+/// Trilinos: a loop of our own with Amesos, or GMRES and ML.
 std::unique_ptr<NewtonSolver> make_trilinos_newton(const Equilibrium& equations,
                                                    LinearSolver solver);
 
-/// Relative accuracy of the iterative linear solvers, and their patience.
+/// Relative tolerance and limits of the iterative linear solvers.
 constexpr double linear_tolerance = 1e-4;
 constexpr unsigned max_linear_iterations = 400, linear_restart = 60;
 
-/// Decides how much of each step of one solution is taken. The residual need not
-/// fall at once: a step that rotates a nearly incompressible body changes volumes
-/// in second order, against a bulk stiffness so high that the residual rises, and
-/// the next steps mend that. It may not rise without bound nor stay up.
+/// Decides which fraction of each Newton step is taken. The residual need not fall in every step:
+/// a step that rotates a nearly incompressible body changes volumes in second order, and the high
+/// bulk stiffness makes the residual rise until the next steps correct it. It must neither rise
+/// without bound nor stay high.
 class Backtracking {
 public:
-  /// Halves the part of a step from where the residual is `norm`, until that
-  /// after it, `norm_after(part)` (infinite where invalid), is acceptable.
-  /// @returns the part, 0 if there is none.
+  /// Halves the fraction of a step until the norm of the residual after it,
+  /// `norm_after(fraction)` (infinite where invalid), is acceptable. `norm` is that before the
+  /// step.
+  /// @returns the fraction, 0 if none is acceptable.
   template <typename NormAfter>
   double accepted_part(double norm, const NormAfter& norm_after) {
     constexpr unsigned max_halvings = 12, patience = 6;

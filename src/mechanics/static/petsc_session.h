@@ -8,11 +8,11 @@
 
 namespace prosup::mechanics::petsc {
 
-/// Starts PETSc on this rank if the host has not done so; it then ends with
-/// MPI_Finalize. Not collective, so that a part of the ranks can use PETSc.
+/// Starts PETSc on this rank unless the host program has done so; PETSc then ends with
+/// MPI_Finalize. Not collective, so that a subset of the ranks can use PETSc.
 void start();
 
-/// @throws Error for an error code of PETSc.
+/// @throws Error if `code` is an error code of PETSc.
 void check(PetscErrorCode code);
 
 /// Destroys a PETSc object, unless PETSc has ended before.
@@ -27,7 +27,7 @@ struct Destroy {
 template <typename Handle, auto destroy>
 using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Destroy<destroy>>;
 
-/// Makes PETSc hand its errors on to us instead of printing them.
+/// While an object of this type exists, PETSc returns errors instead of printing them.
 struct QuietErrors {
   QuietErrors() { PetscPushErrorHandler(PetscReturnErrorHandler, nullptr); }
   ~QuietErrors() { PetscPopErrorHandler(); }

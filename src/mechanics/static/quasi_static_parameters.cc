@@ -19,21 +19,23 @@ void QuasiStaticParameters::declare_parameters(ParameterHandler& prm) {
     names += (names.empty() ? "" : "|") + name;
   prm.add_parameter(
       "Linear algebra", linear_algebra,
-      "Who solves the linear equations of Newton's method. petsc-direct: MUMPS under SNES. "
-      "petsc-gamg: GMRES with algebraic multigrid under SNES. trilinos-direct: MUMPS through "
-      "Amesos. trilinos-amg: GMRES with the multigrid ML. Units: none.",
+      "Solver of the linear equations in Newton's method. petsc-direct: PETSc's SNES with MUMPS. "
+      "petsc-gamg: SNES with GMRES and the algebraic multigrid GAMG. trilinos-direct: MUMPS "
+      "through "
+      "Amesos. trilinos-amg: GMRES with the algebraic multigrid ML.",
       Patterns::Selection(names));
   prm.add_parameter("Tolerance", tolerance,
-                    "Stop when the norm of the out-of-balance nodal forces is below this part of "
-                    "the norm of the external force. Units: none.",
+                    "Newton's method stops when the norm of the residual forces is below this "
+                    "fraction of the norm of the external force. Units: none.",
                     Patterns::Double(1e-12, 1.));
   prm.add_parameter("Maximum iterations", max_iterations,
-                    "Newton steps in one load step before it counts as failed. Units: none.",
+                    "Newton steps after which a load step counts as failed. Units: none.",
                     Patterns::Integer(1, 10000));
-  prm.add_parameter("Load steps", load_steps,
-                    "First number of equal steps in which the load is applied; a step that fails "
-                    "is halved. Units: none.",
-                    Patterns::Integer(1, 10000));
+  prm.add_parameter(
+      "Load steps", load_steps,
+      "Number of equal steps in which the load is applied at first; a step that fails "
+      "is halved. Units: none.",
+      Patterns::Integer(1, 10000));
   prm.add_parameter("Maximum halvings", max_halvings,
                     "How often the load step may be halved before the solver gives up. "
                     "Units: none.",

@@ -14,14 +14,14 @@ enum class ElementType {
   quadratic       ///< 10 nodes, 4 quadrature points
 };
 
-/// Precision of the internal forces; positions and sums are double always.
+/// Precision of the internal forces; positions and sums are always double.
 enum class Precision { double_precision, single_precision };
 
 /// The finite element of a body.
 struct Element {
   ElementType type = ElementType::linear;
   Precision precision = Precision::double_precision;
-  std::string instruction_set = "best"; ///< of the processor, or of instruction_set_names()
+  std::string instruction_set = "best"; ///< best of the processor, or one by its name
 
   unsigned degree() const { return type == ElementType::quadratic ? 2 : 1; }
   unsigned n_nodes() const { return type == ElementType::quadratic ? 10 : 4; }
@@ -29,13 +29,12 @@ struct Element {
   unsigned n_cells() const { return degree() == 1 ? 1 : 8; }
 };
 
-/// The elements and precisions that can be chosen by name, in the order of
-/// their enumerators.
+/// Names of the elements and precisions in parameters, in the order of their enumerators.
 const std::vector<std::string>& element_names();
 const std::vector<std::string>& precision_names();
 
-/// The instruction sets that forces are compiled for, the plainest first; not all
-/// may run on this processor.
+/// Names of the instruction sets for which forces are compiled, the simplest first. This
+/// processor may lack some of them.
 const std::vector<std::string>& instruction_set_names();
 
 /// Choice of the element, section "Elements".

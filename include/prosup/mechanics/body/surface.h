@@ -10,11 +10,12 @@ class Surface {
 public:
   virtual ~Surface() = default;
 
-  /// Signed distance (mm, growing towards the tissue) of x to the surface of
-  /// distance 0, and its unit normal, the direction in which the distance grows.
+  /// Signed distance of x from the surface of distance 0, mm, positive on the side of the tissue.
+  /// Writes the unit normal, the direction in which the distance grows.
   virtual double distance(const dealii::Tensor<1, 3>& x, dealii::Tensor<1, 3>& normal) const = 0;
 
-  /// Derivative of the unit normal by x, 1/mm. By differences unless overridden.
+  /// Derivative of the unit normal with respect to x, 1/mm; by finite differences unless
+  /// overridden.
   virtual dealii::Tensor<2, 3> curvature(const dealii::Tensor<1, 3>& x) const;
 };
 

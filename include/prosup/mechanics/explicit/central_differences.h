@@ -17,33 +17,33 @@ struct StableMass {
   double scaled_fraction = 0.; ///< part of the nodes whose mass was raised
 };
 
-/// Lumped masses rho V_a, and their critical step from the highest frequency. A
-/// few badly shaped elements would rule the step, so that the fraction
-/// `scaled_fraction` of the nodes with the smallest 2 sqrt(m_a / k_a), k_a being
-/// InternalForce::stiffness_bound, gets the mass that suits the step of the
-/// others. Springs of the supports count as part of the body. The settled state
-/// does not depend on it. Collective.
+/// Lumped masses rho V_a and their critical step, from the highest frequency. A
+/// few badly shaped elements would limit the step. Therefore the masses of the
+/// fraction `scaled_fraction` of the nodes with the smallest 2 sqrt(m_a / k_a) are
+/// raised to what the step of the other nodes needs; k_a is
+/// InternalForce::stiffness_bound plus the springs of the supports. The settled
+/// state does not depend on the masses. Collective.
 StableMass stable_mass(const Supports& supports, const InternalForce& internal_force,
                        HighestFrequency& highest_frequency, const NodeVector& displacement,
                        double density, double scaled_fraction);
 
-/// What one step tells of the state, over all ranks of the body.
+/// Figures of the last step, over all ranks of the body.
 struct StepReport {
   double min_jacobian = 0.;   ///< smallest J
   double kinetic_energy = 0.; ///< g mm^2/s^2
   double residual_norm = 0.;  ///< |sum of forces| of the free nodes, g mm/s^2
 };
 
-/// Explicit central differences with damping proportional to the speed, the
-/// paper's eq. 6. In terms of the mid-step velocity v = (u^n+1 - u^n)/h it is
+/// Explicit central differences with damping proportional to the velocity, eq. 6
+/// of the paper. With the mid-step velocity v = (u^n+1 - u^n)/h,
 ///   v^n+1/2 = (v^n-1/2 + h f/m) / (1 + h r/rho),  u^n+1 = u^n + h v^n+1/2,
-/// f being external minus internal force.
+/// where f is the external minus the internal force.
 class CentralDifferences {
 public:
-  /// Keeps references. Fixed nodes are those of the supports at construction.
+  /// Keeps references. Nodes that the supports fix later are not fixed here.
   CentralDifferences(const Supports& supports, const InternalForce& internal_force);
 
-  /// Steps are `safety` times the critical one.
+  /// Sets the masses, and the step to `safety` times the critical one.
   void set_mass(const StableMass& mass, double safety);
   void set_damping(double rate) { damping_rate_ = rate; } ///< r/rho, 1/s
 
@@ -51,16 +51,16 @@ public:
   /// Inertial mass of each local node, g.
   const std::vector<double>& mass() const { return mass_; }
 
-  /// One step of `displacement` (owned nodes; ghosts are those of the state
-  /// before) under `external_force` (owned nodes, g mm/s^2). Returns this rank's
-  /// smallest J before the step.
+  /// Advances `displacement` by one step under `external_force` (g mm/s^2), both at
+  /// owned nodes; ghosts keep the values before the step. Returns the smallest J of
+  /// this rank before the step. Collective.
   double step(const NodeVector& external_force, NodeVector& displacement);
 
-  /// Energy and residual of the last step; collective.
+  /// Energy and residual of the last step. Collective.
   StepReport report() const;
 
-  /// Sum of all forces of the last step, zero at fixed nodes and tangential where
-  /// nodes slide.
+  /// Sum of all forces of the last step, zero at fixed nodes and tangential at
+  /// sliding ones, g mm/s^2.
   const NodeVector& force() const { return force_; }
   NodeVector& velocity() { return velocity_; }
   const NodeVector& velocity() const { return velocity_; }

@@ -8,47 +8,46 @@
 
 namespace prosup::mechanics {
 
-/// How motion is taken out of an explicit simulation that is to settle. With M
-/// the inertial mass, f the internal forces:
+/// How an explicit simulation is damped until it settles. M is the inertial mass, f the
+/// internal forces:
 enum class DampingScheme {
-  fixed,            ///< r/rho as it is given
+  fixed,            ///< a given r/rho
   lowest_frequency, ///< r/rho = 2 omega, omega^2 = u.f / u.M u (Rayleigh quotient of u)
   adaptive,         ///< the same with the increments of u and f (adaptive dynamic relaxation:
                     ///< Underwood 1983; Oakley and Knight 1995)
-  kinetic           ///< none, but velocities set to zero where the kinetic energy has a peak
+  kinetic           ///< no damping; velocities are set to zero at each peak of kinetic energy
 };
 
-/// The schemes that can be chosen by name, in the order of the enumerators.
+/// Names of the schemes in parameters, in the order of the enumerators.
 const std::vector<std::string>& damping_names();
 
-/// Adjusts the damping of an integrator from time to time. Collective.
+/// Sets the damping of an integrator in the course of a simulation. All functions with an
+/// integrator are collective.
 class DampingControl {
 public:
-  /// `first_rate` is r/rho of the fixed scheme, and of the others until they know
-  /// better, 1/s.
+  /// `first_rate` (1/s) is r/rho of the fixed scheme, and of the others until their first update.
   DampingControl(DampingScheme scheme, double first_rate, const Body& body);
 
-  /// r/rho at present, 1/s.
+  /// Present r/rho, 1/s.
   double rate() const { return rate_; }
-  /// The rate, 1/s, in which the simulation settles: that of the damping, or the
-  /// first one where there is none.
+  /// Rate at which the simulation settles, 1/s: the present r/rho, or the first one where that is
+  /// zero.
   double time_scale() const { return rate_ > 0. ? rate_ : first_rate_; }
 
-  /// Peaks of the kinetic energy are seen by looking at every step; the others
-  /// change slowly.
+  /// Whether update() has to be called after every step. Only kinetic damping needs that, in order
+  /// not to miss a peak.
   bool watches_every_step() const { return scheme_ == DampingScheme::kinetic; }
 
-  /// Looks at the state after a step of `integrator` under `external_force` and
-  /// sets its damping.
+  /// Sets the damping of `integrator` from its state after a step under `external_force`.
   void update(CentralDifferences& integrator, const NodeVector& displacement,
               const NodeVector& external_force);
 
-  /// From now on twice the rate that follows the lowest frequency, once: it makes
-  /// settling slower, and bodies bear more in which other modes flutter.
+  /// Doubles the rate that is derived from the lowest frequency, from now on and once only. The
+  /// body settles more slowly, but higher modes are damped better.
   void strengthen() { frequency_factor_ = 4.; }
 
-  /// A fixed rate that is more than three times too high or too low for the body to
-  /// settle follows the lowest frequency from now on. @returns whether it does.
+  /// Changes the scheme from fixed to lowest_frequency if the fixed rate differs by more than a
+  /// factor of three from the rate of that scheme. @returns whether it changed.
   bool mend_fixed_rate(CentralDifferences& integrator, const NodeVector& displacement,
                        const NodeVector& external_force);
 

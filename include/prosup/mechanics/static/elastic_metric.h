@@ -13,29 +13,28 @@
 
 namespace prosup::mechanics {
 
-/// A symmetric stiffness of one of Body::cells() of the form that voxels give,
-/// sum_v N_a(X_v) N_b(X_v) S_v: one symmetric block for each pair a <= b of its
-/// corners, in the order 00, 01, 02, 03, 11, 12, 13, 22, 23, 33.
+/// A symmetric stiffness of one of Body::cells(), such as the sum over voxels v of
+/// N_a(X_v) N_b(X_v) S_v: one symmetric block for each pair a <= b of its corners, in
+/// the order 00, 01, 02, 03, 11, 12, 13, 22, 23, 33.
 using CellStiffness = std::array<dealii::SymmetricTensor<2, 3>, 10>;
 
-/// The linear elastic stiffness K of a body at a configuration X and of the
-/// springs of its supports, for displacements that the supports of X allow: the
-/// metric d^T K d in which one configuration is near another. Linear tetrahedra
-/// on Body::cells(). Other stiffness can be added to that of the elements. All
-/// functions are collective on the communicator of the body; vectors are those
-/// of owned nodes.
+/// The stiffness K of a body at rest in a configuration X (the tangent of its law) and of
+/// the springs of its supports, for displacements that the supports allow. d^T K d
+/// measures the distance of a configuration X + d from X. The elements are linear
+/// tetrahedra on Body::cells(). Other stiffness can be added to that of the elements. All
+/// functions are collective on the communicator of the body; vectors hold owned nodes.
 class ElasticMetric {
 public:
   /// `unloaded` is X with ghosts, mm,
   /// on the surfaces of the supports (Supports::put_on_surfaces).
   ElasticMetric(const Supports& supports, const Material& material, const NodeVector& unloaded);
 
-  /// K v, without rows that the supports hold, g mm/s^2.
+  /// K v, projected to what the supports allow, g mm/s^2.
   void multiply(const NodeVector& v, NodeVector& result) const;
 
-  /// Solves (K + factor H) d = f in the space of allowed displacements, H having
-  /// the given stiffness of each cell of this rank, by conjugate gradients until the
-  /// residual has fallen to `tolerance` of |f|. Returns their number.
+  /// Solves (K + factor H) d = f in the space of allowed displacements by conjugate
+  /// gradients, until the residual is below `tolerance` |f|. H is the sum of `added`, the
+  /// stiffness of each cell of this rank. Returns the number of iterations.
   unsigned solve(const std::vector<CellStiffness>& added, double factor, const NodeVector& force,
                  double tolerance, NodeVector& displacement) const;
 
