@@ -113,7 +113,7 @@ void unload(const Case& hard_case, const Body& body, const UnloadingParameters& 
   });
   try {
     simulation.set_material(material_of(hard_case, body));
-    const unloading::UnloadingResult settled = simulation.run();
+    const settling::SettlingResult settled = simulation.run();
     result.n_steps = settled.n_steps;
     result.n_retries = settled.n_retries;
     result.explanation = settled.explanation;

@@ -10,14 +10,14 @@ namespace prosup::benchmarks {
 
 using namespace dealii;
 using mechanics::NodeVector;
-using unloading::CorrectionScheme;
+using settling::CorrectionScheme;
 using unloading::Unloading;
 
 namespace {
 
 struct Parameters : unloading::UnloadingParameters {
   explicit Parameters(const Run& run, unsigned n_steps) {
-    correction = unloading::correction_names()[static_cast<unsigned>(run.correction.scheme)];
+    correction = settling::correction_names()[static_cast<unsigned>(run.correction.scheme)];
     lag_factor = run.correction.lag_factor;
     correction_interval = run.correction.interval;
     damping = "fixed";
@@ -34,7 +34,7 @@ struct Parameters : unloading::UnloadingParameters {
 /// Puts the simulation next to Newton's solution, fully loaded and at rest.
 void start_from_solution(Unloading& simulation, const HalfBall& breast) {
   constexpr double disturbance = 1e-3; // of the displacement
-  Unloading::State state = simulation.save();
+  Unloading::Snapshot state = simulation.save();
   for (unsigned i = 0; i < state.displacement.locally_owned_size(); ++i) {
     const double u =
         breast.body.vertex_positions().local_element(i) - breast.unloaded.local_element(i);

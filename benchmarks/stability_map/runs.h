@@ -11,7 +11,7 @@ namespace prosup::benchmarks {
 
 /// A way of correcting: the relaxed one with a lag, or the full one every n steps.
 struct Correction {
-  unloading::CorrectionScheme scheme;
+  settling::CorrectionScheme scheme;
   double lag_factor;
   unsigned interval;
 

@@ -12,7 +12,7 @@
 
 using namespace prosup;
 using namespace prosup::benchmarks;
-using unloading::CorrectionScheme;
+using settling::CorrectionScheme;
 
 namespace {
 

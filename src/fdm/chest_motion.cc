@@ -21,8 +21,8 @@ Tensor<1, 3> at(const Dynamics::Vectors& vectors, std::size_t node) {
 ChestMotion::ChestMotion(const Slab& slab, const image::LabelImage& labels, unsigned chest_label,
                          const LoadedMaps& maps, const ChestCondition& condition,
                          const FdmParameters& parameters, double density)
-    : slab_(slab), contact_(condition.contact), motion_(parameters.slave_motion_scheme()),
-      correction_(parameters.slave_correction), speed_(parameters.slave_speed),
+    : slab_(slab), contact_(condition.contact), method_(parameters.contact_method()),
+      correction_part_(parameters.correction_part), speed_limit_(parameters.speed_limit),
       mass_per_area_(density * parameters.spacing),
       wall_distance_(slab.n_nodes(), std::numeric_limits<float>::max()),
       slave_of_(slab.n_nodes(), -1) {
@@ -64,7 +64,7 @@ Tensor<1, 3> ChestMotion::spring(const Tensor<1, 3>& displacement,
 
 void ChestMotion::correct(Dynamics& dynamics) const {
   const double h_t = dynamics.time_step();
-  const double steepness = 10. * std::log(9.) / speed_;
+  const double steepness = 10. * std::log(9.) / speed_limit_;
   for (const Slave& slave : slaves_) {
     const Tensor<1, 3> u = at(dynamics.displacement, slave.node);
     Tensor<1, 3> du = at(dynamics.increment, slave.node), normal;
@@ -76,9 +76,10 @@ void ChestMotion::correct(Dynamics& dynamics) const {
     const double gap = slave.distance - distance_.value(slave.position + u + du, next_normal);
     if (contact_ == ChestContact::sliding || gap > 0.) {
       double s = 1.;
-      if (motion_ == SlaveMotion::gradual) {
+      if (method_ == ContactMethod::gradual) {
         const double approach = (gap > 0. ? 1. : -1.) * (du * normal) / h_t;
-        s = correction_ / (1. + std::exp(std::min(500., steepness * (approach - speed_))));
+        s = correction_part_ /
+            (1. + std::exp(std::min(500., steepness * (approach - speed_limit_))));
       }
       du += s * gap * normal;
     }

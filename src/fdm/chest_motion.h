@@ -43,10 +43,10 @@ private:
 
   const Slab& slab_;
   const ChestContact contact_;
-  const SlaveMotion motion_;
-  const double correction_, speed_;
-  const double mass_per_area_;  ///< of a slave node, g/mm^2
-  double spring_per_mass_ = 0.; ///< 1/s^2
+  const ContactMethod method_;
+  const double correction_part_, speed_limit_; ///< p and v_max of eq. 11
+  const double mass_per_area_;                 ///< of a slave node, g/mm^2
+  double spring_per_mass_ = 0.;                ///< 1/s^2
   std::vector<float> wall_distance_;
   std::vector<Slave> slaves_;
   std::vector<int> slave_of_; ///< of each node, -1 for none

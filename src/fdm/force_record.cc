@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "prosup/fdm/trilinear_cell.h"
 
@@ -9,8 +10,8 @@ namespace prosup::fdm {
 
 namespace {
 
-/// The field that has f(X) at x = X + u(X): points between those of the grid
-/// are spread too, so densely that no point of `target` is left out by stretch.
+/// The field with the value f(X) at x = X + u(X). Points between those of the grid are
+/// moved too, so many that stretch leaves no point of `target` without a value.
 std::vector<Tensor<1, 3>> pushed_forward(const VectorField& force, const VectorField& displacement,
                                          const image::VoxelGrid& target) {
   std::vector<Tensor<1, 3>> result(target.n_voxels());
@@ -41,10 +42,12 @@ std::vector<Tensor<1, 3>> pushed_forward(const VectorField& force, const VectorF
 
 void ForceRecord::add(const VectorField& force, const VectorField& displacement, double time,
                       double ramp_time, const LoadedMaps& maps) {
-  sum_.resize(maps.grid().n_voxels());
-  for (std::size_t node = 0; node < increment_.size(); ++node)
-    sum_[node] += increment_[node];
-  increment_ = pushed_forward(force, displacement, maps.grid());
+  Field sum = sum_ ? *sum_ : Field(maps.grid().n_voxels());
+  if (increment_)
+    for (std::size_t node = 0; node < sum.size(); ++node)
+      sum[node] += (*increment_)[node];
+  sum_ = std::make_shared<const Field>(std::move(sum));
+  increment_ = std::make_shared<const Field>(pushed_forward(force, displacement, maps.grid()));
   ramp_start_ = time;
   ramp_time_ = ramp_time;
   part_ = -1.;
@@ -55,7 +58,7 @@ bool ForceRecord::update(double time, LoadedMaps& maps) {
   if (part != part_)
     for (std::size_t node = 0; node < maps.grid().n_voxels(); ++node)
       maps.set_force(node,
-                     increment_.empty() ? Tensor<1, 3>() : sum_[node] + part * increment_[node]);
+                     increment_ ? (*sum_)[node] + part * (*increment_)[node] : Tensor<1, 3>());
   part_ = part;
   return part == 1.;
 }

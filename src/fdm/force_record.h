@@ -1,8 +1,7 @@
 #ifndef PROSUP_SRC_FDM_FORCE_RECORD_H
 #define PROSUP_SRC_FDM_FORCE_RECORD_H
 
-#include <mpi.h>
-
+#include <memory>
 #include <vector>
 
 #include "loaded_maps.h"
@@ -10,23 +9,23 @@
 
 namespace prosup::fdm {
 
-/// Image forces, accumulated in the loaded configuration as by the paper's
-/// eq. 15, the last of which rises linearly in time.
+/// Image forces, accumulated in the loaded configuration as in the paper's eq. 15.
+/// The last one added rises linearly in time. Copies are cheap.
 class ForceRecord {
 public:
-  /// Takes a force density given at X to x = X + u(X), to be added to `maps` in
-  /// `ramp_time` seconds from `time`.
+  /// Moves a force density from X to x = X + u(X), and adds it to `maps` over
+  /// `ramp_time` seconds from `time` on.
   void add(const VectorField& force, const VectorField& displacement, double time, double ramp_time,
            const LoadedMaps& maps);
-  /// Brings the force of the maps to what it is at `time`. Returns whether all of
-  /// it acts.
+  /// Sets the force of the maps to that at `time`. Returns whether the ramp is over.
   bool update(double time, LoadedMaps& maps);
 
-  /// The next update() writes the force even where it has not changed.
+  /// Tells update() that the maps have the force of another record.
   void write_again() { part_ = -1.; }
 
 private:
-  std::vector<Tensor<1, 3>> sum_, increment_; ///< at the points of the maps
+  using Field = std::vector<Tensor<1, 3>>;       ///< at the points of the maps
+  std::shared_ptr<const Field> sum_, increment_; ///< none before the first force
   double ramp_start_ = 0., ramp_time_ = 0.;
   double part_ = 1.; ///< of the increment that the maps have
 };

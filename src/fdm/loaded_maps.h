@@ -11,28 +11,28 @@
 
 namespace prosup::fdm {
 
-/// M0 of the paper's eq. 8: material and forces of the body as it was imaged, on
-/// a grid of its own, from which everything is resampled.
+/// M0 of the paper's eq. 8: material and forces of the body as it was imaged, stored on a
+/// grid of its own, from which the simulation resamples them.
 class LoadedMaps {
 public:
-  /// Averages the labels to a grid of `spacing` mm that holds the image. What is
-  /// neither tissue nor chest is background. If `chest_is_soft`, the chest is
-  /// background too; else it does not count: tissue goes on into it. Beyond the
-  /// image everything goes on as at its border.
+  /// Averages the labels on a grid of `spacing` mm around the image. What is neither
+  /// tissue nor chest is background. If `chest_is_soft`, the chest is background too;
+  /// otherwise the material next to the chest continues into it. Beyond the image the
+  /// values at its border continue.
   LoadedMaps(const image::LabelImage& labels, const std::vector<unsigned>& tissue_labels,
              unsigned chest_label, double spacing, bool chest_is_soft);
 
-  /// lambda, mu of the tissues, and of a background whose mu is `stiffness` times
-  /// that of the softest tissue.
+  /// Sets lambda and mu of the tissues, and of a background with `stiffness` times those
+  /// of the softest tissue.
   void set_material(const Material& material, double stiffness);
 
-  /// What is at a place of the loaded configuration.
+  /// Values at a point of the loaded configuration.
   struct Values {
     float mu = 0.f, lambda = 0.f;           ///< Pa
     float tissue = 0.f;                     ///< part of the volume, which has weight
     float chest = 0.f;                      ///< part of the volume
     std::array<float, 3> force{0., 0., 0.}; ///< force density, g/(mm^2 s^2)
-    float unused = 0.f;                     ///< makes eight floats, two vectors
+    float unused = 0.f;                     ///< fills up to eight floats, two SIMD vectors
   };
   Values values(const Point<3>& position) const;
   const image::VoxelGrid& grid() const { return grid_; }
@@ -40,7 +40,7 @@ public:
   /// The force density at each point of the grid.
   void set_force(std::size_t node, const Tensor<1, 3>& force);
 
-  /// Faces of the image, low and high along each axis, that tissue touches.
+  /// Which faces of the image, low and high along each axis, tissue touches.
   using Faces = std::array<std::array<bool, 2>, 3>;
   const Faces& touched_faces() const { return touched_; }
   /// Corners of the box of the image along LPS.
@@ -48,7 +48,12 @@ public:
   const Point<3>& high() const { return high_; }
 
 private:
+  using Index = std::array<std::size_t, 3>;
+
   void average(const image::LabelImage& labels, unsigned chest_label);
+  void note_touched_faces(const image::VoxelGrid& voxels, const Index& voxel);
+  void spread(const image::VoxelGrid& voxels, const Index& voxel, const Index& n_cuts,
+              unsigned part);
   void normalise(bool chest_is_soft, double full_weight);
   void continue_into_chest(std::vector<bool> known);
   void continue_beyond();

@@ -17,17 +17,20 @@ namespace {
 
 constexpr double largest_grid = 2e8; // points
 
-/// The tissues of a material that suits the labels.
-std::vector<unsigned> tissues_of(const Material& material, const image::LabelImage& image,
-                                 unsigned chest_label, const std::string& name) {
+// Corrections between two updates of the time step.
+constexpr unsigned update_interval = 10;
+
+/// The labels of the material that are in the image.
+std::vector<unsigned> tissues_of(const FdmBody& body, const std::string& name) {
+  const auto& values = body.labels.values;
   std::vector<unsigned> labels;
-  for (const auto& tissue : material.tissues) {
+  for (const auto& tissue : body.material.tissues) {
     const unsigned label = tissue.first;
-    if (label > 255 || label == chest_label)
+    if (label > 255 || label == body.chest_label)
       throw Error(format("The tissue label %u of %s is the chest label or above 255; give tissues "
                          "other labels.",
                          label, name.c_str()));
-    if (std::find(image.values.begin(), image.values.end(), label) != image.values.end())
+    if (std::find(values.begin(), values.end(), label) != values.end())
       labels.push_back(label);
   }
   if (labels.empty())
@@ -48,16 +51,16 @@ image::VoxelGrid simulation_grid(const LoadedMaps& maps, const FdmParameters& pa
                             std::max(parameters.padding, parameters.spacing));
 }
 
-/// r/rho until there is an estimate: critical for the shear of a layer as thick
-/// as the image is along gravity.
-double first_damping(const Material& material, double extent) {
+/// A damping rate to begin with, 1/s: the critical one of a layer in shear that is as thick
+/// as the image is wide.
+double first_damping(const Material& material, double density, double extent) {
   double mu = std::numeric_limits<double>::max();
   for (const auto& tissue : material.tissues)
     mu = std::min(mu, tissue.second.mu);
-  return numbers::PI * std::sqrt(mu / material.density) / extent;
+  return numbers::PI * std::sqrt(mu / density) / extent;
 }
 
-/// Whether tissue is at a face of the image.
+/// Whether tissue touches a face of the image.
 bool touches(const LoadedMaps& maps) {
   bool any = false;
   for (const auto& sides : maps.touched_faces())
@@ -65,8 +68,8 @@ bool touches(const LoadedMaps& maps) {
   return any;
 }
 
-/// Of each node from the nearest of the chest, where it is a wall, and the faces of the
-/// image that tissue touches, if `has_faces`, mm.
+/// Distance of each node from the nearest wall, mm: the chest, if tissue is fixed to it,
+/// and with `has_faces` the faces of the image that tissue touches.
 std::vector<float> wall_distances(const Slab& slab, const ChestMotion& chest,
                                   const LoadedMaps& maps, bool has_faces) {
   std::vector<float> result(slab.n_nodes());
@@ -84,23 +87,44 @@ std::vector<float> wall_distances(const Slab& slab, const ChestMotion& chest,
   return result;
 }
 
+void check(const Material& material) {
+  for (const auto& [label, lame] : material.tissues)
+    if (!(lame.mu > 0.) || !(lame.lambda > 0.))
+      throw Error(format("The tissue with label %u has mu = %g Pa and lambda = %g Pa; both have to "
+                         "be positive.",
+                         label, lame.mu, lame.lambda));
+}
+
 } // namespace
 
-FdmUnloading::Simulation::Simulation(const FdmParameters& parameters,
-                                     const image::LabelImage& labels, unsigned chest_label,
-                                     const Material& material, const Tensor<1, 3>& gravity,
-                                     const ChestCondition& chest, MPI_Comm communicator,
-                                     std::string name, const Log& log)
-    : parameters_(parameters), name_(std::move(name)), log_(log), gravity_(gravity),
-      density_(material.density),
-      maps_(labels, tissues_of(material, labels, chest_label, name_), chest_label,
-            parameters.map_spacing * parameters.spacing, chest.contact != ChestContact::fixed),
-      slab_(simulation_grid(maps_, parameters), communicator), dynamics_(slab_, material.density),
-      chest_(slab_, labels, chest_label, maps_, chest, parameters, material.density),
-      caution_{parameters.lag_factor, parameters.step_safety, parameters.gravity_ramp,
-               parameters.background_stiffness, 2.} {
+FdmUnloading::Simulation::Simulation(const FdmParameters& parameters, const FdmBody& body,
+                                     MPI_Comm communicator, const std::string& name, const Log& log)
+    : parameters_(parameters), name_(name), gravity_(body.gravity), density_(body.density),
+      maps_(body.labels, tissues_of(body, name), body.chest_label,
+            parameters.map_spacing * parameters.spacing, body.chest.contact != ChestContact::fixed),
+      slab_(simulation_grid(maps_, parameters), communicator), dynamics_(slab_, body.density),
+      chest_(slab_, body.labels, body.chest_label, maps_, body.chest, parameters, body.density),
+      background_stiffness_(parameters.background_stiffness),
+      loop_(*this, parameters, {name, "FDM", "a cell", "max |w-u|", update_interval}, log) {
+  choose_mobile_nodes(body.chest, body.chest_label);
+  double extent = 0.;
+  for (unsigned d = 0; d < 3; ++d) {
+    head_ += std::abs(gravity_[d]) * (maps_.high()[d] - maps_.low()[d]);
+    extent = std::max(extent, maps_.high()[d] - maps_.low()[d]);
+  }
+  first_damping_ = first_damping(body.material, body.density, extent);
+  damping_ =
+      parameters.damping_rate > 0. ? parameters.damping_rate : damping_factor_ * first_damping_;
+  tissue_.assign(slab_.n_nodes(), Real(0));
+  for (unsigned c = 0; c < 3; ++c)
+    pull_back_[c] = extra_force_[c] = tissue_;
+  set_material(body.material);
+}
+
+void FdmUnloading::Simulation::choose_mobile_nodes(const ChestCondition& chest,
+                                                   unsigned chest_label) {
   const bool is_held_by_chest = chest.contact == ChestContact::fixed && chest_.n_nodes() > 0;
-  const Border border = parameters.border_scheme();
+  const Border border = parameters_.border_scheme();
   const bool has_faces =
       border == Border::fixed || (border == Border::automatic && !is_held_by_chest);
   wall_ = std::make_unique<Wall>(slab_, wall_distances(slab_, chest_, maps_, has_faces));
@@ -123,18 +147,19 @@ FdmUnloading::Simulation::Simulation(const FdmParameters& parameters,
       for (const std::size_t stride : strides)
         is_near_mobile_[node - stride] = is_near_mobile_[node + stride] = true;
     }
+}
 
-  double extent = 0.;
-  for (unsigned d = 0; d < 3; ++d) {
-    head_ += std::abs(gravity[d]) * (maps_.high()[d] - maps_.low()[d]);
-    extent = std::max(extent, maps_.high()[d] - maps_.low()[d]);
-  }
-  first_damping_ = first_damping(material, extent);
-  damping_ = parameters.damping > 0. ? parameters.damping : 2. * first_damping_;
-  tissue_.assign(slab_.n_nodes(), Real(0));
-  for (unsigned c = 0; c < 3; ++c)
-    pull_back_[c] = extra_force_[c] = tissue_;
-  set_material(material);
+void FdmUnloading::Simulation::set_material(const Material& material) {
+  check(material);
+  material_ = material;
+  maps_.set_material(material_, background_stiffness_);
+  force_record_.update(time_, maps_);
+  resample();
+  update_time_step(loop_.caution().step_safety);
+}
+
+void FdmUnloading::Simulation::add_force(const VectorField& increment, double ramp_time) {
+  force_record_.add(increment, displacement(), time_, ramp_time, maps_);
 }
 
 } // namespace prosup::fdm

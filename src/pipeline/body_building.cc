@@ -91,7 +91,7 @@ void transfer_unloaded(mesh::UnloadedMesh& mesh, int from, int to, MPI_Comm comm
   transfer(mesh.unloaded, from, to, communicator);
 }
 
-std::string describe(const std::string& name, const unloading::UnloadingResult& result) {
+std::string describe(const std::string& name, const settling::SettlingResult& result) {
   return format("  %s: %u steps, residual %.1e, max |x-u-X| %.3f mm, min J %.2f%s%s%s",
                 name.c_str(), result.n_steps, result.residual, result.distance, result.min_jacobian,
                 result.converged ? "" : " (NOT settled)", result.explanation.empty() ? "" : "\n  ",

@@ -26,7 +26,7 @@ public:
       : stages_(stages), ranks_(ranks), log_(log) {}
 
   void build(Inputs& inputs) override;
-  std::array<unloading::UnloadingResult, 2> unload() override { return grids_->unload(); }
+  std::array<settling::SettlingResult, 2> unload() override { return grids_->unload(); }
   registration::MaterialUpdateResult
   update_material(const registration::Observer& observer) override;
   registration::ImageForceResult

@@ -9,7 +9,7 @@ void FiniteElements::build(Inputs& inputs) {
   meshes_ = build_bodies(stages_, inputs, pair_, log_);
 }
 
-std::array<unloading::UnloadingResult, 2> FiniteElements::unload() {
+std::array<settling::SettlingResult, 2> FiniteElements::unload() {
   pair_.set_properties(stages_.material, {stages_.material.initial(),
                                           stages_.supports.chest_stiffness(stages_.scene.chest())});
   return pair_.unload();

@@ -13,7 +13,7 @@ public:
       : stages_(stages), log_(log), pair_(ranks), similarity_(stages.similarity, ranks.world()) {}
 
   void build(Inputs& inputs) override;
-  std::array<unloading::UnloadingResult, 2> unload() override;
+  std::array<settling::SettlingResult, 2> unload() override;
   registration::MaterialUpdateResult
   update_material(const registration::Observer& observer) override;
   registration::ImageForceResult

@@ -153,7 +153,7 @@ void RegisterPipeline::evaluate(std::optional<evaluation::ErrorStatistics>& erro
   on_root(ranks_.world(), [&] { error = landmarks_.evaluate(unloaded_); });
 }
 
-void RegisterPipeline::record(const std::array<unloading::UnloadingResult, 2>& results) {
+void RegisterPipeline::record(const std::array<settling::SettlingResult, 2>& results) {
   for (const auto& result : results) {
     *summary_.steps += result.n_steps;
     summary_.converged = summary_.converged && result.converged;

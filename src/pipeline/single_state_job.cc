@@ -102,7 +102,7 @@ mechanics::NodeVector SingleStateJob::settle(mechanics::Supports& supports, Dire
   if (direction == Direction::load)
     motion.hold_reference();
   motion.set_material(material(body));
-  const unloading::UnloadingResult result = motion.run();
+  const settling::SettlingResult result = motion.run();
   log_.line(describe(name_, result));
   n_steps_ = result.n_steps;
   converged_ = result.converged;

@@ -45,16 +45,17 @@ private:
   mesh::UnloadedMesh simulate(mesh::TetMesh) override {
     image::broadcast(labels_, world_);
     const unsigned chest_label = stages_.labels.chest;
-    fdm::Material material = registration::grid_material(
-        stages_.material, stages_.material.initial(), labels_, chest_label);
-    material.density = stages_.unloading.density;
-    fdm::FdmUnloading unloading(
-        stages_.fdm, labels_, chest_label, material,
+    const fdm::FdmBody body{
+        labels_,
+        chest_label,
+        registration::grid_material(stages_.material, stages_.material.initial(), labels_,
+                                    chest_label),
         acceleration(stages_, stages_.scene.gravity[state_]),
-        {chest_contact(stages_), stages_.supports.chest_stiffness(stages_.scene.chest())}, world_,
-        name_, log_);
-    const fdm::UnloadingResult result = unloading.run();
-    log_.line(describe(name_, registration::as_unloading_result(result)));
+        {chest_contact(stages_), stages_.supports.chest_stiffness(stages_.scene.chest())},
+        stages_.unloading.density};
+    fdm::FdmUnloading unloading(stages_.fdm, body, world_, name_, log_);
+    const settling::SettlingResult result = unloading.run();
+    log_.line(describe(name_, result));
     n_steps_ = result.n_steps;
     converged_ = result.converged;
     return mesh_of_grid(stages_, unloading.displacement(), labels_);

@@ -81,7 +81,7 @@ private:
     }
   }
 
-  static void count(const std::array<unloading::UnloadingResult, 2>& unloaded,
+  static void count(const std::array<settling::SettlingResult, 2>& unloaded,
                     ImageForceResult& result) {
     result.n_steps += unloaded[prone].n_steps + unloaded[supine].n_steps;
   }

@@ -7,10 +7,10 @@
 
 namespace prosup::registration {
 
+using settling::SettlingResult;
 using similarity::LoadedState;
 using similarity::prone;
 using similarity::supine;
-using unloading::UnloadingResult;
 
 namespace {
 
@@ -36,7 +36,7 @@ RankSplit::~RankSplit() {
   MPI_Comm_free(&world_);
 }
 
-std::array<UnloadingResult, 2> RankSplit::share(std::array<UnloadingResult, 2> results) const {
+std::array<SettlingResult, 2> RankSplit::share(std::array<SettlingResult, 2> results) const {
   for (const State state : both)
     results[state] = dealii::Utilities::MPI::broadcast(world_, results[state], first_rank(state));
   return results;
@@ -67,9 +67,10 @@ bool BodyPair::has_gland(const mechanics::TissueMaterial& material) const {
   return dealii::Utilities::MPI::max(static_cast<int>(any), ranks_.world()) > 0;
 }
 
-std::array<UnloadingResult, 2> BodyPair::unload() {
-  std::array<UnloadingResult, 2> results;
-  for_each([&](State which, BodyState& state) { results[which] = state.unloading->run(); });
+std::array<SettlingResult, 2> BodyPair::unload(unsigned max_steps) {
+  std::array<SettlingResult, 2> results;
+  for_each(
+      [&](State which, BodyState& state) { results[which] = state.unloading->run(max_steps); });
   return ranks_.share(results);
 }
 
@@ -94,7 +95,7 @@ BodyPair::Snapshot BodyPair::save() const {
   Snapshot snapshot;
   for (const State s : both)
     if (ranks_.holds(s))
-      snapshot[s] = std::make_unique<unloading::Unloading::State>(states_[s].unloading->save());
+      snapshot[s] = std::make_unique<unloading::Unloading::Snapshot>(states_[s].unloading->save());
   return snapshot;
 }
 

@@ -4,41 +4,14 @@
 
 namespace prosup::registration {
 
-using unloading::UnloadingResult;
+using settling::SettlingResult;
 
-namespace {
-
-/// Stops unloadings after a number of steps while it lives.
-class LimitedSteps {
-public:
-  LimitedSteps(BodyPair& pair, unsigned max_steps) : pair_(pair) {
-    set([max_steps](unsigned n_steps) { return n_steps < max_steps; });
-  }
-  ~LimitedSteps() { set(nullptr); }
-  LimitedSteps(const LimitedSteps&) = delete;
-  LimitedSteps& operator=(const LimitedSteps&) = delete;
-
-private:
-  void set(const unloading::Unloading::Observer& observer) {
-    for (const State state : {similarity::prone, similarity::supine})
-      if (pair_.ranks().holds(state))
-        pair_[state].unloading->set_observer(observer);
-  }
-
-  BodyPair& pair_;
-};
-
-} // namespace
-
-std::array<UnloadingResult, 2> SimulatedBodies::unload(unsigned max_steps) {
-  if (max_steps == 0)
-    return pair_.unload();
-  const LimitedSteps limit(pair_, max_steps);
-  return pair_.unload();
+std::array<SettlingResult, 2> SimulatedBodies::unload(unsigned max_steps) {
+  return pair_.unload(max_steps);
 }
 
-std::array<UnloadingResult, 2> SimulatedBodies::advance(double duration) {
-  std::array<UnloadingResult, 2> results;
+std::array<SettlingResult, 2> SimulatedBodies::advance(double duration) {
+  std::array<SettlingResult, 2> results;
   pair_.for_each([&](State which, BodyState& state) {
     results[which] = state.unloading->advance(steps_within(duration, *state.unloading));
   });

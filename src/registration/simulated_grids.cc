@@ -13,10 +13,10 @@
 namespace prosup::registration {
 
 using namespace dealii;
+using settling::SettlingResult;
 using similarity::prone;
 using similarity::state_names;
 using similarity::supine;
-using unloading::UnloadingResult;
 
 namespace {
 
@@ -45,18 +45,6 @@ fdm::Material grid_material(const mechanics::TissueMaterial& material,
   return result;
 }
 
-UnloadingResult as_unloading_result(const fdm::UnloadingResult& result) {
-  UnloadingResult copy;
-  copy.converged = result.converged;
-  copy.n_steps = result.n_steps;
-  copy.n_retries = result.n_retries;
-  copy.residual = result.residual;
-  copy.distance = result.distance;
-  copy.min_jacobian = result.min_jacobian;
-  copy.explanation = result.explanation;
-  return copy;
-}
-
 /// Both displacements as they are now.
 struct SimulatedGrids::Displaced {
   std::array<std::unique_ptr<const fdm::VectorField>, 2> fields;
@@ -79,13 +67,15 @@ SimulatedGrids::SimulatedGrids(const RankSplit& ranks, const GridSetup& setup,
     : ranks_(ranks), setup_(setup), scene_(scene), images_(std::move(images)),
       properties_(properties) {
   for_each([&](State state) {
-    fdm::Material material =
-        grid_material(setup_.material, properties.tissue, scene.labels[state], scene.chest_label);
-    material.density = setup_.density;
+    const fdm::FdmBody body{
+        scene.labels[state],
+        scene.chest_label,
+        grid_material(setup_.material, properties.tissue, scene.labels[state], scene.chest_label),
+        setup_.gravity[state],
+        {setup_.contact, properties.chest_stiffness},
+        setup_.density};
     unloading_[state] = std::make_unique<fdm::FdmUnloading>(
-        setup_.parameters, scene.labels[state], scene.chest_label, material, setup_.gravity[state],
-        fdm::ChestCondition{setup_.contact, properties.chest_stiffness}, ranks_.group(),
-        state_names[state], Log(ranks_.group()));
+        setup_.parameters, body, ranks_.group(), state_names[state], Log(ranks_.group()));
   });
 }
 
@@ -102,32 +92,28 @@ bool SimulatedGrids::has_gland() const {
 void SimulatedGrids::set_properties(const MechanicalProperties& properties) {
   properties_ = properties;
   for_each([&](State state) {
-    fdm::Material material =
-        grid_material(setup_.material, properties.tissue, scene_.labels[state], scene_.chest_label);
-    material.density = setup_.density;
-    unloading_[state]->set_material(material);
+    unloading_[state]->set_material(grid_material(setup_.material, properties.tissue,
+                                                  scene_.labels[state], scene_.chest_label));
     unloading_[state]->set_spring_stiffness(properties.chest_stiffness);
   });
 }
 
 template <typename Run>
-std::array<UnloadingResult, 2> SimulatedGrids::run(Run&& run) {
-  std::array<UnloadingResult, 2> results;
+std::array<SettlingResult, 2> SimulatedGrids::run(Run&& run) {
+  std::array<SettlingResult, 2> results;
   for_each([&](State state) {
-    results[state] = as_unloading_result(run(*unloading_[state]));
+    results[state] = run(*unloading_[state]);
     // The soft background may be squeezed, the tissue not.
     results[state].min_jacobian = smallest_tissue_jacobian(displacement(state), scene_, state);
   });
   return ranks_.share(std::move(results));
 }
 
-std::array<UnloadingResult, 2> SimulatedGrids::unload(unsigned max_steps) {
-  return run([&](fdm::FdmUnloading& unloading) {
-    return max_steps == 0 ? unloading.run() : unloading.run(max_steps);
-  });
+std::array<SettlingResult, 2> SimulatedGrids::unload(unsigned max_steps) {
+  return run([&](fdm::FdmUnloading& unloading) { return unloading.run(max_steps); });
 }
 
-std::array<UnloadingResult, 2> SimulatedGrids::advance(double duration) {
+std::array<SettlingResult, 2> SimulatedGrids::advance(double duration) {
   return run([&](fdm::FdmUnloading& unloading) {
     return unloading.advance(steps_within(duration, unloading));
   });
@@ -138,7 +124,7 @@ void SimulatedGrids::save() {
 }
 
 void SimulatedGrids::restore() {
-  for_each([&](State state) { unloading_[state]->restore(*saved_[state]); });
+  for_each([&](State state) { unloading_[state]->restore(saved_[state]); });
 }
 
 SimulatedGrids::Displaced SimulatedGrids::displaced() const {

@@ -50,7 +50,7 @@ struct VoxelBox {
 /// What comes back of displacements by loading a box and unloading it through
 /// voxels, as in the paper's appendix, mm.
 struct BoxExperiment {
-  fdm::UnloadingResult loading, unloading;
+  settling::SettlingResult loading, unloading;
   double moves = 0., max_error = 0., p95_error = 0.;
 };
 
@@ -58,12 +58,12 @@ inline BoxExperiment box_experiment(const fdm::FdmParameters& parameters, const 
                                     const fdm::Material& material, const Tensor<1, 3>& gravity,
                                     MPI_Comm communicator) {
   BoxExperiment result;
-  fdm::FdmUnloading forward(parameters, box.labels(), 1, material, gravity, {}, communicator);
+  fdm::FdmUnloading forward(parameters, {box.labels(), 1, material, gravity}, communicator);
   forward.hold_reference();
   result.loading = forward.run();
   const fdm::VectorField truth = forward.displacement();
   const image::LabelImage loaded = box.labels(&truth);
-  fdm::FdmUnloading inverse(parameters, loaded, 1, material, gravity, {}, communicator);
+  fdm::FdmUnloading inverse(parameters, {loaded, 1, material, gravity}, communicator);
   result.unloading = inverse.run();
   const fdm::VectorField found = inverse.displacement();
   std::vector<double> errors;

@@ -3,16 +3,16 @@
 
 namespace prosup::fdm {
 
-/// How tissue moves at the chest.
+/// How tissue may move on the chest.
 enum class ChestContact {
-  fixed,    ///< u = 0 in the chest
+  fixed,    ///< not at all: u = 0 in the chest
   sliding,  ///< along its surface
   one_sided ///< along its surface and away from it
 };
 
 struct ChestCondition {
   ChestContact contact = ChestContact::fixed;
-  double spring_stiffness = 0.; ///< against sliding, Pa/mm
+  double spring_stiffness = 0.; ///< of springs that resist sliding, Pa/mm
 };
 
 } // namespace prosup::fdm

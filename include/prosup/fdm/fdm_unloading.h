@@ -7,79 +7,67 @@
 #include <string>
 
 #include "prosup/core/log.h"
-#include "prosup/fdm/chest_condition.h"
+#include "prosup/fdm/fdm_body.h"
 #include "prosup/fdm/fdm_parameters.h"
-#include "prosup/fdm/material.h"
 #include "prosup/fdm/vector_field.h"
+#include "prosup/settling/settling_result.h"
+#include "prosup/settling/simulation.h"
 
 namespace prosup::fdm {
 
-/// How far an unloading has come.
-struct UnloadingResult {
-  bool converged = false;
-  unsigned n_steps = 0;     ///< in this call
-  unsigned n_retries = 0;   ///< returns to a good state, and strengthened damping, in this call
-  double residual = 0.;     ///< out-of-balance force over weight
-  double distance = 0.;     ///< max |w - u| in the tissue, mm
-  double min_jacobian = 0.; ///< smallest J = det dx/dX, of background too
-  std::string explanation;  ///< why run() stopped without having settled; else empty
-};
+using settling::SettlingResult;
 
-/// Finds the unloaded configuration of a body imaged under gravity by the finite
-/// differences of the paper (its eqs. 1 to 11 and Fig. 3). The material of each
-/// point X of a regular grid in the unloaded configuration is that of the loaded
-/// image at X + w(X). A forward simulation predicts the displacement u(X), and
-/// every n steps the map w follows it (FdmParameters). Where it settles w = u.
-/// Collective on the communicator.
+/// Finds the unloaded configuration of a body that was imaged under gravity, by the
+/// finite differences of the paper (its eqs. 1 to 11 and Fig. 3). The points X of a
+/// regular grid are in the unloaded configuration; the material at X is that of the
+/// loaded image at X + w(X). A forward simulation predicts the displacement u(X), and
+/// every n steps the map w is moved towards u. In the settled state w = u.
+/// All functions are collective on the communicator.
 class FdmUnloading {
 public:
-  /// `labels` may be given up after construction, `parameters` not. Labels that are
-  /// neither `chest_label` nor in `material` are air. `gravity` is the acceleration,
-  /// mm/s^2 (LPS).
-  /// @throws Error if no tissue is labelled, nothing holds the body, or the grid
-  /// has too many points.
-  FdmUnloading(const FdmParameters& parameters, const image::LabelImage& labels,
-               unsigned chest_label, const Material& material, const dealii::Tensor<1, 3>& gravity,
-               const ChestCondition& chest, MPI_Comm communicator, std::string name = "body",
-               const Log& log = Log());
+  /// A saved state: positions, velocities and forces, but not the material.
+  using Snapshot = settling::Snapshot;
+
+  /// Keeps a reference to the parameters, but not to the labels of the body.
+  /// @throws Error if no voxel is tissue, nothing holds the body, or the grid has too
+  /// many points.
+  FdmUnloading(const FdmParameters& parameters, const FdmBody& body, MPI_Comm communicator,
+               std::string name = "body", const Log& log = Log());
   ~FdmUnloading();
 
-  /// Changes the stiffness of the tissues and continues from the present state.
+  /// Changes the stiffness of the tissues. The state is kept, so that the simulation
+  /// continues from the present configuration.
   void set_material(const Material& material);
 
-  /// Changes the springs on the chest, Pa/mm.
+  /// Changes the stiffness of the springs on the chest, Pa/mm.
   void set_spring_stiffness(double stiffness);
 
-  /// Adds a force density, given at points X of grid(), that rises linearly from 0
-  /// to its value over `ramp_time` seconds from now. It is kept in the loaded
-  /// configuration, at x = X + u(X), from where it is resampled as the material is.
-  void add_force(const VectorField& force, double ramp_time);
+  /// Adds a force density, given at the points X of grid(), which rises linearly from 0
+  /// over the next `ramp_time` seconds. It is stored in the loaded configuration, at
+  /// x = X + u(X), and resampled from there like the material.
+  void add_force(const VectorField& increment, double ramp_time);
 
-  /// Keeps w = 0 from now on: a plain forward simulation of the labels, which are
-  /// then those of the unloaded configuration.
+  /// Keeps w = 0 from now on: run() is then a plain forward simulation, and the labels
+  /// are those of the unloaded configuration.
   void hold_reference();
 
-  /// Simulates until settled to the tolerances. Where it diverges it goes back to a
-  /// good state and continues with stiffer air or a longer lag, a smaller step and a slower ramp.
-  /// @throws DivergenceError when all retries are used up; the last good state is
-  /// restored first.
-  UnloadingResult run();
-  /// The same, at most `max_steps` steps.
-  UnloadingResult run(unsigned max_steps);
+  /// Simulates until the tolerances are met, for at most `max_steps` steps if that is
+  /// not 0, and never more than the parameter's. Recovers from divergence and
+  /// stalls (docs/fdm.md).
+  /// @throws DivergenceError with a diagnosis if all retries are used up; the last good
+  /// state is then restored.
+  SettlingResult run(unsigned max_steps = 0);
   /// Simulates `n_steps` steps. @throws as run().
-  UnloadingResult advance(unsigned n_steps);
+  SettlingResult advance(unsigned n_steps);
 
-  /// What has to be kept to return to a state: positions, velocities and forces, not the
-  /// material.
-  struct Snapshot;
-  std::shared_ptr<const Snapshot> save() const;
+  Snapshot save() const;
   void restore(const Snapshot& snapshot);
 
   /// The simulation grid, in the unloaded configuration.
   const image::VoxelGrid& grid() const;
   /// u on the simulation grid, on all ranks.
   VectorField displacement() const;
-  double time_step() const;    ///< s
+  double time_step() const;    ///< h_t, s
   double damping_rate() const; ///< r/rho, 1/s
 
 private:

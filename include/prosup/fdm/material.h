@@ -3,8 +3,6 @@
 
 #include <map>
 
-#include "prosup/core/units.h"
-
 namespace prosup::fdm {
 
 /// Lame parameters of a neo-Hookean tissue, Pa.
@@ -13,10 +11,9 @@ struct LameParameters {
   double lambda;
 };
 
-/// The tissues of a breast.
+/// The stiffness of the tissues of a breast.
 struct Material {
   std::map<unsigned, LameParameters> tissues; ///< by label
-  double density = tissue_density;            ///< rho, g/mm^3, of all
 };
 
 } // namespace prosup::fdm

@@ -37,7 +37,7 @@ std::array<mesh::UnloadedMesh, 2> gather_unloaded(const MeshPair& meshes,
 void transfer_unloaded(mesh::UnloadedMesh& mesh, int from, int to, MPI_Comm communicator);
 
 /// One line on how far the unloading of `name` has come.
-std::string describe(const std::string& name, const unloading::UnloadingResult& result);
+std::string describe(const std::string& name, const settling::SettlingResult& result);
 std::string describe(const std::string& name, const mechanics::QuasiStaticResult& result);
 
 /// rho g of a state (0 prone, 1 supine), g/(mm^2 s^2).

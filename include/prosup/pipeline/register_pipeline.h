@@ -43,7 +43,7 @@ private:
 
   /// Gathers the unloaded meshes and takes their error.
   void evaluate(std::optional<evaluation::ErrorStatistics>& error);
-  void record(const std::array<unloading::UnloadingResult, 2>& results);
+  void record(const std::array<settling::SettlingResult, 2>& results);
   registration::Observer observer();
   void add_mesh_summaries();
 

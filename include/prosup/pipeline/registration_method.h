@@ -22,7 +22,7 @@ public:
   /// Sets up both bodies. The images in `inputs`, which has to live on, may move.
   virtual void build(Inputs& inputs) = 0;
   /// With the properties to start with.
-  virtual std::array<unloading::UnloadingResult, 2> unload() = 0;
+  virtual std::array<settling::SettlingResult, 2> unload() = 0;
   virtual registration::MaterialUpdateResult
   update_material(const registration::Observer& observer) = 0;
   virtual registration::ImageForceResult

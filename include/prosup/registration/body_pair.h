@@ -36,8 +36,8 @@ public:
   int first_rank(State state) const { return first_rank_[state]; }
 
   /// Tells all ranks the results of the two states, which those that hold them know.
-  std::array<unloading::UnloadingResult, 2>
-  share(std::array<unloading::UnloadingResult, 2> results) const;
+  std::array<settling::SettlingResult, 2>
+  share(std::array<settling::SettlingResult, 2> results) const;
 
 private:
   MPI_Comm world_;
@@ -77,8 +77,8 @@ public:
   bool has_gland(const mechanics::TissueMaterial& material) const;
   const MechanicalProperties& properties() const { return properties_; }
 
-  /// Runs both unloadings until settled.
-  std::array<unloading::UnloadingResult, 2> unload();
+  /// Runs both unloadings until settled, or at most `max_steps` steps if not 0.
+  std::array<settling::SettlingResult, 2> unload(unsigned max_steps = 0);
 
   /// Both states with their own loaded images, for the similarity.
   std::array<similarity::LoadedState, 2> loaded_states() const;
@@ -86,7 +86,7 @@ public:
   std::array<similarity::LoadedState, 2>
   loaded_states(const std::array<image::ScalarImage, 2>& images) const;
 
-  using Snapshot = std::array<std::unique_ptr<unloading::Unloading::State>, 2>;
+  using Snapshot = std::array<std::unique_ptr<unloading::Unloading::Snapshot>, 2>;
   Snapshot save() const;
   void restore(const Snapshot& snapshot);
 

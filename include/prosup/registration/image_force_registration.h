@@ -69,7 +69,7 @@ private:
                    const Log& log, const Observer& observer, ImageForceResult& result) const;
 
   /// Unloads until all is at rest.
-  using Settle = std::function<std::array<unloading::UnloadingResult, 2>()>;
+  using Settle = std::function<std::array<settling::SettlingResult, 2>()>;
   static void settle(const Settle& unload, const Log& log, ImageForceResult& result);
 
   std::string scheme_;

@@ -21,8 +21,8 @@ public:
     pair_.set_properties(material_, properties);
   }
 
-  std::array<unloading::UnloadingResult, 2> unload(unsigned max_steps = 0) override;
-  std::array<unloading::UnloadingResult, 2> advance(double duration) override;
+  std::array<settling::SettlingResult, 2> unload(unsigned max_steps = 0) override;
+  std::array<settling::SettlingResult, 2> advance(double duration) override;
   void save() override { saved_ = pair_.save(); }
   void restore() override { pair_.restore(saved_); }
 

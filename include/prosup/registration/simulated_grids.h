@@ -20,9 +20,6 @@ fdm::Material grid_material(const mechanics::TissueMaterial& material,
                             const mechanics::TissueStiffness& stiffness,
                             const image::LabelImage& labels, unsigned chest_label);
 
-/// The same result in the words of finite elements.
-unloading::UnloadingResult as_unloading_result(const fdm::UnloadingResult& result);
-
 /// What finite differences have to be told of a case.
 struct GridSetup {
   const fdm::FdmParameters& parameters;
@@ -49,8 +46,8 @@ public:
   const MechanicalProperties& properties() const override { return properties_; }
   void set_properties(const MechanicalProperties& properties) override;
 
-  std::array<unloading::UnloadingResult, 2> unload(unsigned max_steps = 0) override;
-  std::array<unloading::UnloadingResult, 2> advance(double duration) override;
+  std::array<settling::SettlingResult, 2> unload(unsigned max_steps = 0) override;
+  std::array<settling::SettlingResult, 2> advance(double duration) override;
   void save() override;
   void restore() override;
 
@@ -69,7 +66,7 @@ private:
   template <typename Work>
   void for_each(Work&& work) const;
   template <typename Run>
-  std::array<unloading::UnloadingResult, 2> run(Run&& run);
+  std::array<settling::SettlingResult, 2> run(Run&& run);
   Displaced displaced() const;
 
   const RankSplit& ranks_;
@@ -78,7 +75,7 @@ private:
   const std::array<image::ScalarImage, 2> images_;
   MechanicalProperties properties_;
   std::array<std::unique_ptr<fdm::FdmUnloading>, 2> unloading_; // of the held states
-  std::array<std::shared_ptr<const fdm::FdmUnloading::Snapshot>, 2> saved_;
+  std::array<fdm::FdmUnloading::Snapshot, 2> saved_;
   std::string metric_;
   std::unique_ptr<GridSimilarity> similarity_;
   std::array<image::ScalarImage, 2> compared_images_;

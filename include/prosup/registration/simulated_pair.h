@@ -37,9 +37,9 @@ public:
   virtual void set_properties(const MechanicalProperties& properties) = 0;
 
   /// Runs both unloadings until settled, or at most `max_steps` steps if not 0.
-  virtual std::array<unloading::UnloadingResult, 2> unload(unsigned max_steps = 0) = 0;
+  virtual std::array<settling::SettlingResult, 2> unload(unsigned max_steps = 0) = 0;
   /// Simulates both for `duration` times their damping time, the inverse of r/rho.
-  virtual std::array<unloading::UnloadingResult, 2> advance(double duration) = 0;
+  virtual std::array<settling::SettlingResult, 2> advance(double duration) = 0;
 
   /// Keeps the present state in place of that kept before.
   virtual void save() = 0;

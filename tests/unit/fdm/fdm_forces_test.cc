@@ -48,7 +48,7 @@ double sag(const fdm::FdmUnloading& simulation) {
 
 class FdmForces : public ::testing::Test {
 protected:
-  FdmForces() : simulation(parameters, layer.labels(), 1, stiff(), down, {}, MPI_COMM_WORLD) {
+  FdmForces() : simulation(parameters, {layer.labels(), 1, stiff(), down}, MPI_COMM_WORLD) {
     simulation.hold_reference();
     EXPECT_TRUE(simulation.run().converged);
   }
@@ -81,12 +81,12 @@ TEST_F(FdmForces, AreForgottenWithTheirState) {
       (simulation.displacement().value(Point<3>(0., -15., 0.)) - u.value(Point<3>(0., -15., 0.)))
           .norm(),
       0.1);
-  simulation.restore(*before);
+  simulation.restore(before);
   const fdm::VectorField restored = simulation.displacement();
   for (std::size_t node = 0; node < u.values.size(); ++node)
     ASSERT_EQ(u.values[node], restored.values[node]);
   // It is at rest there: the force is gone too.
-  const fdm::UnloadingResult result = simulation.advance(50);
+  const settling::SettlingResult result = simulation.advance(50);
   EXPECT_LT(result.residual, parameters.residual_tolerance);
   const fdm::VectorField later = simulation.displacement();
   for (std::size_t node = 0; node < u.values.size(); ++node)
@@ -98,10 +98,11 @@ TEST(FdmSliding, LayerHangsOnItsSprings) {
   const CoarseParameters parameters;
   const double stiffness = 100.; // Pa/mm
   const double exact = tissue_density * standard_gravity * depth / stiffness;
-  fdm::FdmUnloading simulation(parameters, layer.labels(), 1, stiff(), sideways,
-                               {fdm::ChestContact::sliding, stiffness}, MPI_COMM_WORLD);
+  fdm::FdmUnloading simulation(
+      parameters, {layer.labels(), 1, stiff(), sideways, {fdm::ChestContact::sliding, stiffness}},
+      MPI_COMM_WORLD);
   simulation.hold_reference();
-  const fdm::UnloadingResult result = simulation.run();
+  const settling::SettlingResult result = simulation.run();
   ASSERT_TRUE(result.converged) << result.explanation;
   const fdm::VectorField u = simulation.displacement();
   EXPECT_NEAR(u.value(Point<3>())[0], exact, 0.1 * exact);

@@ -43,10 +43,10 @@ TEST(FdmUnloading, WideLayerSagsAsAColumn) {
   fdm::FdmParameters parameters;
   parameters.spacing = 2.5;
   parameters.padding = 10.;
-  fdm::FdmUnloading simulation(parameters, box.labels(), 1, material(200., 300.), down, {},
+  fdm::FdmUnloading simulation(parameters, {box.labels(), 1, material(200., 300.), down},
                                MPI_COMM_WORLD);
   simulation.hold_reference();
-  const fdm::UnloadingResult result = simulation.run();
+  const settling::SettlingResult result = simulation.run();
   ASSERT_TRUE(result.converged) << result.explanation;
   const double sag = column_sag(200., 300., 20., 15.);
   // Not at the surface, over which material is smeared.
@@ -90,8 +90,8 @@ Tensor<1, 3> motion_at_the_border(const std::string& border, fdm::ChestContact c
   parameters.spacing = 4.;
   parameters.padding = 12.;
   parameters.border = border;
-  fdm::FdmUnloading simulation(parameters, wide_layer(), 1, material(200., 300.), down,
-                               {contact, 0.}, MPI_COMM_WORLD);
+  fdm::FdmUnloading simulation(
+      parameters, {wide_layer(), 1, material(200., 300.), down, {contact, 0.}}, MPI_COMM_WORLD);
   simulation.advance(50);
   return simulation.displacement().value(Point<3>(19., -6., 0.));
 }
@@ -114,9 +114,9 @@ TEST(FdmUnloading, GoesBackWhenItDivergesAndSettles) {
   parameters.background_stiffness = 0.002;
   const double mu = 500. / 2.9;
   const VoxelBox box{0.5, 15., 15., 6.};
-  fdm::FdmUnloading simulation(parameters, box.labels(), 1, material(mu, 9. * mu), down, {},
+  fdm::FdmUnloading simulation(parameters, {box.labels(), 1, material(mu, 9. * mu), down},
                                MPI_COMM_WORLD);
-  const fdm::UnloadingResult result = simulation.run();
+  const settling::SettlingResult result = simulation.run();
   EXPECT_TRUE(result.converged) << result.explanation;
   EXPECT_GE(result.n_retries, 1u);
 }
@@ -127,7 +127,7 @@ TEST(FdmUnloading, MeshHoldsTheTissueAndItsVolume) {
   parameters.spacing = 4.;
   parameters.padding = 8.;
   const image::LabelImage labels = box.labels();
-  fdm::FdmUnloading simulation(parameters, labels, 1, material(300., 2700.), down, {},
+  fdm::FdmUnloading simulation(parameters, {labels, 1, material(300., 2700.), down},
                                MPI_COMM_WORLD);
   const fdm::BreastMesh mesh = fdm::breast_mesh(simulation.displacement(), labels, {2});
   double volume = 0.;
@@ -151,7 +151,7 @@ TEST(FdmUnloading, RefusesWhatItCannotSimulate) {
   parameters.spacing = 4.;
   image::LabelImage labels = box.labels();
   const auto make = [&](const fdm::Material& tissues) {
-    fdm::FdmUnloading(parameters, labels, 1, tissues, down, {}, MPI_COMM_WORLD);
+    fdm::FdmUnloading(parameters, {labels, 1, tissues, down}, MPI_COMM_WORLD);
   };
   expect_error([&] { make(material(300., 0.)); }, {"both have to be positive"});
   fdm::Material other;
@@ -170,10 +170,10 @@ TEST(FdmUnloading, DivergenceIsNeverASuccess) {
   parameters.padding = 12.;
   parameters.max_retries = 1;
   parameters.max_steps = 3000;
-  fdm::FdmUnloading simulation(parameters, box.labels(), 1, material(20., 180.), 30. * down, {},
+  fdm::FdmUnloading simulation(parameters, {box.labels(), 1, material(20., 180.), 30. * down},
                                MPI_COMM_WORLD);
   try {
-    const fdm::UnloadingResult result = simulation.run();
+    const settling::SettlingResult result = simulation.run();
     EXPECT_FALSE(result.converged);
     EXPECT_NE(result.explanation, "");
   } catch (const DivergenceError& error) {

@@ -28,7 +28,7 @@ struct HangingCube {
   mechanics::Body body;
   mechanics::Supports supports;
   unloading::Unloading unloading;
-  unloading::UnloadingResult result;
+  settling::SettlingResult result;
 };
 
 TEST(Correction, FullAndRelaxedFindTheSameStateOfAStiffBody) {
@@ -56,7 +56,8 @@ TEST(Correction, FullDivergesWhereRelaxedDoesNotAndStaysFull) {
     FAIL() << "converged: " << full.result.converged << " in " << full.result.n_steps;
   } catch (const DivergenceError& error) {
     const std::string message = error.what();
-    EXPECT_NE(message.find("'Unloading/Correction' = relaxed"), std::string::npos) << message;
+    EXPECT_NE(message.find("'Unloading/Correction scheme' = relaxed"), std::string::npos)
+        << message;
     EXPECT_NE(message.find("2 retries"), std::string::npos) << message;
   }
 }

@@ -15,9 +15,9 @@ namespace {
 using namespace dealii;
 using mechanics::node_value;
 using mechanics::NodeVector;
+using settling::SettlingResult;
 using unloading::Unloading;
 using unloading::UnloadingParameters;
-using unloading::UnloadingResult;
 
 const Tensor<1, 3> down({0., -1., 0.});
 
@@ -38,8 +38,8 @@ LoadedBox load_box(const std::vector<mechanics::LameParameters>& material,
 
 /// Largest distance between the unloaded positions found and the box the
 /// loaded one was made of, over all ranks, mm.
-double unloading_error(const LoadedBox& box, const Unloading& unloading) {
-  const mechanics::Body& body = unloading.body();
+double unloading_error(const LoadedBox& box, const mechanics::Body& body,
+                       const Unloading& unloading) {
   double largest = 0.;
   for (unsigned node = 0; node < body.n_owned_nodes(); ++node) {
     const Point<3> found(node_value(unloading.unloaded(), node));
@@ -51,7 +51,7 @@ double unloading_error(const LoadedBox& box, const Unloading& unloading) {
 
 struct UnloadedBox {
   double error;
-  UnloadingResult result;
+  SettlingResult result;
 };
 
 UnloadedBox unload_box(const UnloadingParameters& parameters, const LoadedBox& box,
@@ -61,8 +61,8 @@ UnloadedBox unload_box(const UnloadingParameters& parameters, const LoadedBox& b
   mechanics::Supports supports(body, {3});
   Unloading unloading(parameters, supports, down);
   unloading.set_material(material);
-  const UnloadingResult result = unloading.run();
-  return {unloading_error(box, unloading), result};
+  const SettlingResult result = unloading.run();
+  return {unloading_error(box, body, unloading), result};
 }
 
 // nu = 0: the column hangs in one dimension, P = mu (F - 1/F) = rho g s at the
@@ -195,7 +195,7 @@ TEST(Unloading, SaysWhyItHasNotSettled) {
   const LoadedBox box = load_box(material, parameters);
   EXPECT_EQ(unload_box(parameters, box, material).result.explanation, "");
   parameters.max_steps = 50;
-  const UnloadingResult result = unload_box(parameters, box, material).result;
+  const SettlingResult result = unload_box(parameters, box, material).result;
   EXPECT_FALSE(result.converged);
   EXPECT_NE(result.explanation.find("did not settle in 50 steps"), std::string::npos)
       << result.explanation;
