@@ -29,30 +29,35 @@ and the tests run the same cases on small meshes (`--small`); `--case NAME` runs
 
 ## When it goes wrong
 
-Every correction is watched for an element that collapses (J < 0.02) or is
-inverted in the unloaded configuration, for forces that are no numbers, for a body
-faster than in a free fall, and for an error that in 10 lag times falls by less
-than a fifth (soft bodies swing around the unloaded state without end if the lag
-is short). Then the simulation
+After every block of steps the program checks for an element that has collapsed
+(J < 0.02) or is inverted in the unloaded configuration, for forces that are not
+finite, for a body that moves faster than in a free fall, and for a stall: an error
+that falls by less than a fifth in 10 lag times and 300 steps. (Soft bodies swing
+around the unloaded state without end if the lag is short.) In all these cases the
+simulation
 
-1. goes back to the last good state, one under the whole load that was nearer to
-   settled than any before, or to its start where there is none;
-2. goes on with twice the lag, r/rho = 4 omega and, where it diverged, 0.8 of the
-   time step, masses that are brought up to date twice as often, and a ramp four
-   times as long as the lag: a load that rises faster than the unloaded positions follow acts
-   on a body that hangs already, which is what collapses soft ones;
-3. asks for a quarter of the tolerances from then on, since a body that needed a
-   return has soft modes in which a small |x - u - X| is a larger distance of X;
-4. takes the damping from the lowest frequency if it was fixed and more than three
-   times too high or too low.
+1. returns to the last good state: the one under the full load that was nearest to
+   settled, or the initial state if there is none;
+2. continues with twice the lag, r/rho = 4 omega, and a ramp at least four times as
+   long as the lag. A load that rises faster than the unloaded positions follow acts
+   on a body that already hangs, which is what makes soft ones collapse. After a
+   divergence it also takes 0.8 of the time step, and updates the masses twice as
+   often;
+3. from then on uses a quarter of the tolerances, since a body that needed a return has
+   soft modes, in which a small |x - u - X| means a larger error of X;
+4. after a stall, takes the damping from the lowest frequency if it was fixed and more
+   than three times too high or too low.
 
-It says so in the log. After `Unloading/Maximum retries` returns it gives up with
-the cell that collapsed first, its place in the loaded mesh and its J, the
+Each return is logged. After `Unloading/Maximum retries` returns the program gives up
+and reports the first element that collapsed, its place in the loaded mesh and its J, the
 softness rho g L/mu, and the part of the weight for which it does find an unloaded
-state, searched for in five short runs, each from the last one that settled. That
-part is from below: Newton's method, where it is compared in the table, gets
-further. What neither settles nor diverges stops at `Maximum steps`,
+state. It searches for that part in five short runs, each from the last one that
+settled. The part is a lower bound: Newton's method, where the table has it, gets
+further. A simulation that neither settles nor diverges stops at `Maximum steps`,
 is marked as not converged, and says why.
+
+The finite differences share this policy (module `settling`), but for what
+[fdm.md](fdm.md) says.
 
 ## Hard cases
 

@@ -11,26 +11,27 @@
 
 namespace prosup::fdm {
 
-/// What the chest, which is rigid, does to the nodes of the grid: it is a wall
-/// (fixed), or keeps the nodes at its surface at their distance from it by
-/// the paper's eq. 10, while others within are soft and free.
+/// The effect of the rigid chest on the grid. Either it is a wall to which tissue is fixed,
+/// or it keeps the nodes next to its surface (the slave nodes of the paper) at their
+/// distance from it by eq. 10, and the nodes inside it are soft and free.
 class ChestMotion {
 public:
   ChestMotion(const Slab& slab, const image::LabelImage& labels, unsigned chest_label,
               const LoadedMaps& maps, const ChestCondition& condition,
               const FdmParameters& parameters, double density);
 
-  /// Distance of a node from the chest where this is a wall, else beyond all measure, mm.
+  /// Distance of a node from a chest that is a wall, otherwise the largest float, mm.
   float wall_distance(std::size_t node) const { return wall_distance_[node]; }
-  /// Number of nodes in a chest that is a wall, or on one that tissue slides on, of all ranks.
+  /// Number of nodes inside a chest that is a wall, or of slave nodes; of all ranks.
   unsigned long n_nodes() const { return n_nodes_; }
 
   void set_spring_stiffness(double stiffness);
 
-  /// Adds to the increments of the slave nodes what their springs do in a step,
-  /// -k u_t/(rho h), and then x' = x + s(v_s) c(x).
+  /// Adds the effect of the springs in one step, the acceleration -k u_t/(rho h), to the
+  /// increments of the slave nodes, and then corrects x' = x + s(v_s) c(x).
   void correct(Dynamics& dynamics) const;
-  /// The acceleration of a node with its spring and without what the chest takes.
+  /// Adds the spring of a node to its acceleration, and removes the component that the
+  /// chest balances.
   void project(const Dynamics& dynamics, std::size_t node, Tensor<1, 3>& acceleration) const;
 
 private:

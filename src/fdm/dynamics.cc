@@ -10,7 +10,7 @@ using dealii::Tensor;
 
 namespace {
 
-// Shorter gaps between nodes that move are not worth to be skipped.
+// Skipping shorter gaps between nodes that move does not pay.
 constexpr std::size_t shortest_gap = 16;
 
 /// Largest sum of a row of |G G^T|, a bound of its largest eigenvalue.

@@ -11,38 +11,39 @@
 
 namespace prosup::fdm {
 
-/// The time stepping of the paper's eq. 6 on one slab of the grid.
+/// Explicit time integration by the paper's eq. 6 on one slab of the grid.
 class Dynamics {
 public:
   using Vectors = std::array<NodalField, 3>;
 
   Dynamics(const Slab& slab, double density);
 
-  /// Which nodes move: others keep their displacement.
+  /// Sets which nodes move; the others keep their displacement.
   void set_mobile(const std::vector<bool>& moves);
   bool is_mobile(std::size_t node) const { return mobile_[node]; }
 
-  /// h_t, s. Velocities are kept.
+  /// Sets h_t, s; the increments are scaled so that velocities stay the same.
   void set_time_step(double time_step);
   double time_step() const { return time_step_; }
-  /// r/rho, 1/s.
+  /// Sets r/rho, 1/s.
   void set_damping(double rate);
 
   /// 1 + h_t r/rho
   double friction() const { return 1. + time_step_ * damping_; }
 
-  /// Finds the next increments from displacements, maps and forces, which have to
-  /// be known in the neighbours' planes too. Returns this rank's smallest J.
+  /// Computes the next increments from displacements, maps and forces, which have to be
+  /// up to date in the neighbours' planes. Returns this rank's smallest J.
   double advance_increments();
-  /// Adds the increments to the displacements and exchanges these.
+  /// Adds the increments to the displacements and exchanges them with the neighbours.
   void move();
-  /// K at owned nodes from the increments before and after advance_increments().
+  /// Acceleration K at an owned node, from the increments before and after
+  /// advance_increments(), mm/s^2.
   Tensor<1, 3> acceleration(const Vectors& before, std::size_t node) const;
 
-  /// The highest critical time step 2/omega at which the simulation is stable at
-  /// present, s; of this rank. With c = mu + lambda (1 - ln J) and G = F^-1,
+  /// This rank's critical time step 2/omega in the present state, s. With c = mu + lambda (1 - ln
+  /// J) and G = F^-1,
   ///   omega^2 <= 4/(rho h^2) (3 mu + c |G G^T|),
-  /// the value of the stencils for the shortest wave along all three axes.
+  /// the frequency of the shortest wave along all three axes on this grid.
   double critical_time_step() const;
 
   Vectors displacement; ///< u, mm

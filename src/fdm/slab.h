@@ -10,14 +10,14 @@
 
 namespace prosup::fdm {
 
-/// The simulation is done in this precision; sums are in double.
+/// Precision of the simulation; sums are in double.
 using Real = float;
 /// One value at each node of a slab.
 using NodalField = std::vector<Real>;
 
-/// The planes of a grid that one rank owns, and one plane below and above them,
-/// which belong to its neighbours (or, at the ends of the grid, to nobody). Local
-/// nodes are numbered from the plane below, x fastest.
+/// The planes of a grid that one rank owns, with one plane below and one above them, which
+/// belong to its neighbours (or, at the ends of the grid, to no rank). Local nodes are
+/// numbered from the plane below, x fastest.
 class Slab {
 public:
   Slab(const image::VoxelGrid& grid, MPI_Comm communicator);
@@ -26,7 +26,7 @@ public:
   MPI_Comm communicator() const { return communicator_; }
   std::size_t row() const { return grid_.size[0]; }
   std::size_t plane() const { return grid_.size[0] * grid_.size[1]; }
-  /// Nodes in memory.
+  /// Number of nodes in memory.
   std::size_t n_nodes() const { return (n_planes_ + 2) * plane(); }
   /// Local numbers of the nodes owned.
   std::size_t owned_begin() const { return plane(); }
@@ -35,7 +35,7 @@ public:
   /// Whether a node is on the border of the grid (or beyond it).
   bool on_border(std::size_t node) const;
 
-  /// Gets the planes below and above from the neighbours.
+  /// Receives the planes below and above from the neighbours.
   void exchange(NodalField& field) const;
   /// The values of all nodes of the grid, on all ranks.
   NodalField gather(const NodalField& field) const;

@@ -6,18 +6,18 @@
 
 namespace prosup::fdm {
 
-/// Signed distance from the surface of a label, negative inside, by quadratic B-splines:
-/// its gradient is continuous. By that of a trilinear interpolant surfaces have edges, on
-/// which nodes that slide get caught.
+/// Signed distance from the surface of a label, negative inside, by quadratic B-splines,
+/// which have a continuous gradient. The surfaces of a trilinear interpolant have edges, on
+/// which sliding nodes get caught.
 class SmoothDistance {
 public:
   SmoothDistance() = default;
-  /// Splines half as wide as `spacing`, from `low` to `high`; beyond, the distance goes on
-  /// as it is at the nearest place between. The stairs of the voxels are smoothed away.
+  /// Knots at half of `spacing`, from `low` to `high`. Beyond that box the distance is that
+  /// of the nearest point in it. The stairs of the voxels are smoothed away.
   SmoothDistance(const image::LabelImage& labels, unsigned label, const Point<3>& low,
                  const Point<3>& high, double spacing);
 
-  /// Distance, mm, and its unit normal (zero where there is none).
+  /// Distance, mm, and its unit normal (zero where the gradient vanishes).
   double value(const Point<3>& position, Tensor<1, 3>& normal) const;
 
 private:

@@ -29,7 +29,7 @@ struct Fields {
 
 /// One step of the paper's eq. 6, written for increments,
 ///   U^{n+1} - U^n = (U^n - U^{n-1} + h_t^2 K)/(1 + h_t r/rho),
-/// at the nodes `begin` to `end`, all of whose neighbours have to be in memory.
+/// at the nodes from `begin` to before `end`, whose neighbours all have to be in memory.
 /// K = div_0 N/rho + f with the derivatives of u by eq. 7. Returns the smallest
 /// J = det F of the nodes that move.
 template <typename Real>
@@ -44,10 +44,10 @@ struct Kernels {
   Step<double> step(double) const { return step_double; }
 };
 
-/// All kernels that this processor can run, the plainest first; `n` of them.
+/// The `n` kernels that this processor can run, in the order of their speed.
 const Kernels* const* all_kernels(int& n);
 
-/// The last of them, the fastest.
+/// The fastest of them, which is the last.
 const Kernels& best_kernels();
 
 // One translation unit each.

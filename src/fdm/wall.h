@@ -8,18 +8,18 @@
 
 namespace prosup::fdm {
 
-/// A surface with u = 0 that need not go through nodes. Nodes beyond it, or nearer to
-/// it than h/2, are led: with d the distance from the wall, negative beyond, they take
-/// u = d s, where s = sum(d u)/sum(d^2) over the neighbours that are free is the best fit
-/// of displacements that vanish on the wall. To hold the first nodes beyond it instead
-/// would move the wall by half a cell, and by as much from one grid to the next.
+/// A surface with u = 0 that does not have to pass through nodes. Nodes beyond it, or nearer
+/// to it than h/2, are led: with the distance d from the wall, negative beyond it, they get
+/// u = d s. The slope s = sum(d u)/sum(d^2) over their free neighbours is the best fit of a
+/// displacement that vanishes on the wall. Fixing the first nodes beyond the wall instead
+/// would shift it by up to half a cell, differently on each grid.
 class Wall {
 public:
-  /// From the distance of each local node, mm.
+  /// `distance`: of each local node from the wall, mm.
   Wall(const Slab& slab, const std::vector<float>& distance);
 
   bool leads(std::size_t node) const { return leads_[node]; }
-  /// Gives the led nodes their displacements, on all ranks.
+  /// Sets the displacements of the led nodes, on all ranks.
   void lead(Dynamics& dynamics) const;
 
 private:

@@ -82,42 +82,42 @@ SupportParameters::SupportParameters() : ParameterAcceptor("Supports") {}
 
 void SupportParameters::declare_parameters(ParameterHandler& prm) {
   prm.add_parameter("Chest stiffness", chest_stiffness_,
-                    "k, of the loose fascia between breast and chest wall: springs that draw "
-                    "tissue which slides back to where it is unloaded, f = -A k (x - X). Without "
+                    "k, stiffness of the loose fascia between breast and chest wall: springs that "
+                    "pull sliding tissue back to its unloaded position, f = -A k (x - X). Without "
                     "them a soft breast slides off sideways. Units: Pa/mm.",
                     Patterns::Double(0., 1e6));
   prm.add_parameter("Chest smoothing", chest_smoothing_,
-                    "Standard deviation of the Gaussian that smooths the distance to the chest, "
+                    "Standard deviation of the Gaussian that smooths the distance from the chest, "
                     "over the cube root of the volume of a voxel. Units: none.",
                     Patterns::Double(0., 10.));
   prm.add_parameter(
       "Contact", contact_method_,
-      "How nodes are kept on the chest wall. projection: positions, velocities and forces are "
-      "projected to it and its tangent plane in every step. gradual: corrections with a limited "
-      "speed, the paper's eq. 10 and 11. Units: none.",
+      "How sliding nodes are kept on the chest wall. projection: in every step positions are "
+      "projected onto it, and velocities and forces onto its tangent plane. gradual: positions "
+      "approach it with a limited speed, the paper's eqs. 10 and 11.",
       Patterns::Selection("projection|gradual"));
   prm.add_parameter("Correction part", gradual_.part,
-                    "p of eq. 11, part of the distance to the chest that a gradual correction "
-                    "takes away in a step. Units: none.",
+                    "p of the paper's eq. 11: fraction of the distance to the chest wall that the "
+                    "gradual contact corrects in a step. Units: none.",
                     Patterns::Double(0., 1.));
   prm.add_parameter("Speed limit", gradual_.speed_limit,
-                    "v_max of eq. 11: nodes that approach the chest faster are corrected less. "
-                    "Units: mm/s.",
+                    "v_max of the paper's eq. 11: the gradual contact corrects nodes that approach "
+                    "the chest wall faster than this less. Units: mm/s.",
                     Patterns::Double(1e-3, 1e9));
   prm.add_parameter(
       "Cut planes", cut_planes_,
-      "What holds tissue where the border of the image cuts it off. common: it does not move where "
-      "the image of the other state has tissue too; what has bulged across the border is free. "
-      "fixed: none of it moves. sliding: it moves in the plane, held by the springs below. "
-      "elastic: springs alone. free: nothing. Units: none.",
+      "What holds tissue that is cut off by the border of the image. common: it is fixed where "
+      "the image in the other position shows tissue too; tissue that has bulged across the border "
+      "is free. fixed: all of it is fixed. sliding: it moves in the plane, held by springs of the "
+      "stiffness below. elastic: springs alone. free: nothing.",
       Patterns::Selection("common|fixed|sliding|elastic|free"));
   prm.add_parameter("Cut plane stiffness", cut_plane_stiffness_,
-                    "Of the springs that stand for the tissue beyond a sliding or elastic cut "
-                    "plane, about mu over its width. Units: Pa/mm.",
+                    "Stiffness of the springs that represent the tissue beyond a sliding or "
+                    "elastic cut plane, about mu over its width. Units: Pa/mm.",
                     Patterns::Double(0., 1e6));
   prm.add_parameter("Contact stiffness", contact_stiffness,
-                    "Pressure per distance from the chest wall with which Newton's method holds "
-                    "tissue on it. Units: Pa/mm.",
+                    "Penalty with which Newton's method keeps tissue on the chest wall: pressure "
+                    "over distance from it. Units: Pa/mm.",
                     Patterns::Double(1., 1e12));
 }
 

@@ -9,8 +9,8 @@
 
 namespace prosup::fdm {
 
-/// Tetrahedra of the breast as the grid moves it: cell i has the same nodes in
-/// both configurations.
+/// Tetrahedra of the breast, which move with the grid: the same cells in both
+/// configurations.
 struct BreastMesh {
   std::vector<Point<3>> unloaded;             ///< X, LPS mm
   std::vector<Point<3>> loaded;               ///< x = X + u(X), LPS mm
@@ -18,17 +18,16 @@ struct BreastMesh {
   std::vector<std::uint8_t> tissue;           ///< label of each cell
 };
 
-/// Cuts the grid cells of `displacement` that hold tissue into six tetrahedra
-/// each (Kuhn's, which fit each other); on them u is linear and equal to that of
-/// the grid at its points. A cell holds tissue if a voxel of `tissue_labels` is at
-/// one of 27 evenly spread points of it, moved to the loaded image; its label is
-/// that of most of them.
-/// @throws Error if there is none.
+/// Cuts each grid cell of `displacement` that holds tissue into six tetrahedra (Kuhn's,
+/// which match across faces). On them u is linear, with the values of the grid at the nodes.
+/// A cell holds tissue if one of 27 evenly spaced points in it, moved to the loaded image, lies in
+/// a voxel with one of the `tissue_labels`; the most frequent one becomes its label.
+/// @throws Error if no cell holds tissue.
 BreastMesh breast_mesh(const VectorField& displacement, const image::LabelImage& labels,
                        const std::vector<unsigned>& tissue_labels);
 
-/// The point X of the grid with X + u(X) = x, by Newton's method on the trilinear
-/// u from X = x - u(x). Where it does not converge (u folds) the nearest found.
+/// The point X with X + u(X) = x, by Newton's method on the trilinear u, which starts from
+/// X = x - u(x). If it does not converge because u folds, the best point found.
 Point<3> unloaded_position(const VectorField& displacement, const Point<3>& x);
 
 } // namespace prosup::fdm

@@ -8,8 +8,8 @@
 
 namespace prosup::fdm {
 
-/// The cell of a grid with axes along LPS and at least two points each way that
-/// holds a position, and the weights of its corners in trilinear interpolation.
+/// The cell that contains a position, in a grid with axes along LPS and at least two
+/// points in each direction, and the weights of its corners in trilinear interpolation.
 /// Positions beyond the grid are moved to its border.
 class TrilinearCell {
 public:
@@ -27,7 +27,7 @@ public:
     first_ = start[0] + row_ * start[1] + plane_ * start[2];
   }
 
-  /// Corner 1 is one further along x, 2 along y, 4 along z.
+  /// Bits 0, 1 and 2 of the corner's number tell whether it is the upper one along x, y and z.
   std::size_t node(unsigned corner) const {
     return first_ + (corner & 1u) + (corner & 2u ? row_ : 0) + (corner & 4u ? plane_ : 0);
   }

@@ -19,7 +19,7 @@ struct VectorField {
   image::VoxelGrid grid;
   std::vector<Tensor<1, 3>> values; ///< x fastest
 
-  /// Trilinear interpolation; beyond the grid that of the nearest point of it.
+  /// Trilinear interpolation; beyond the grid the value at the nearest point of it.
   Tensor<1, 3> value(const Point<3>& position) const;
 };
 

@@ -7,16 +7,16 @@
 
 namespace prosup::unloading {
 
-/// The surface of the chest wall in a label image: level sets of the smoothed
-/// Euclidean distance to its voxels, positive in the tissue (paper's correction
-/// field c = -d n, eq. 10). The stairs of the voxels are smoothed away, so that
-/// nodes do not catch on them; on a chest of radius R the level sets move by
-/// sigma^2/R in parallel, which does not matter since each node keeps its own.
+/// The chest wall in a label image: level sets of the smoothed Euclidean distance from
+/// its voxels, positive in the tissue (the paper's correction field c = -d n, eq. 10).
+/// Smoothing removes the stairs of the voxels, on which nodes would get caught. It also
+/// shifts the level sets of a chest of radius R by sigma^2/R, which has no effect, since each
+/// node stays on its own level set.
 class ChestSurface : public mechanics::Surface {
 public:
-  /// `sigma_voxels`: standard deviation of the Gaussian, in cube roots of the
-  /// volume of a voxel. The surface is needed within `margin` mm of the box from
-  /// `low` to `high`. @throws Error if there is no chest voxel there.
+  /// `sigma_voxels`: standard deviation of the Gaussian, over the cube root of the volume of
+  /// a voxel. The surface is known within `margin` mm of the box from `low` to `high`.
+  /// @throws Error if there is no chest voxel in it.
   ChestSurface(const image::LabelImage& labels, unsigned chest_label, double sigma_voxels,
                const dealii::Point<3>& low, const dealii::Point<3>& high, double margin);
 

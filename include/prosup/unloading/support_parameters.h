@@ -12,39 +12,43 @@
 
 namespace prosup::unloading {
 
-/// How the tissue moves on the chest wall.
-enum class ChestCondition { fixed, sliding, one_sided };
+/// How tissue may move on the chest wall.
+enum class ChestCondition {
+  fixed,    ///< not at all
+  sliding,  ///< along it
+  one_sided ///< along it and away from it
+};
 
-/// The conditions on the chest wall that can be chosen by name, in the order of
-/// the enumerators.
+/// Names of the conditions, in the order of the enumerators.
 const std::vector<std::string>& chest_condition_names();
 
-/// What holds a breast at the chest wall and where the image cuts it off,
-/// section "Supports"; the same for prone and supine.
+/// What holds a breast at the chest wall and at the border of the image, section
+/// "Supports"; the same for prone and supine.
 class SupportParameters : public dealii::ParameterAcceptor {
 public:
   SupportParameters();
   void declare_parameters(dealii::ParameterHandler& prm) override;
 
-  /// The supports of a body that was meshed from `labels`; `other` are those of
-  /// the other state, or empty if it is not known. Collective on the communicator of the
+  /// The supports of a body that was meshed from `labels`. `other` are the labels in the
+  /// other position, empty if they are not known. Collective on the communicator of the
   /// body.
-  /// @throws Error if it is to slide where there is no chest.
+  /// @throws Error if tissue is to slide and there is no chest.
   std::unique_ptr<mechanics::Supports> make(ChestCondition chest, const mechanics::Body& body,
                                             const image::LabelImage& labels,
                                             const image::LabelImage& other,
                                             unsigned chest_label) const;
 
-  /// Whether make() looks at the labels of a state, or at those of the other.
+  /// Whether make() needs `labels`.
   bool need_labels(ChestCondition chest) const {
     return chest != ChestCondition::fixed || cut_planes_ == "sliding";
   }
 
-  /// Of the springs on the chest wall, Pa/mm; 0 where the tissue is held on it.
+  /// Stiffness of the springs on the chest wall, Pa/mm; 0 if tissue is fixed to it.
   double chest_stiffness(ChestCondition chest) const {
     return chest == ChestCondition::fixed ? 0. : chest_stiffness_;
   }
 
+  /// Whether make() needs `other`.
   bool need_other_labels() const { return cut_planes_ == "common"; }
 
   double contact_stiffness = 5e4; ///< of Newton's penalty, Pa/mm
