@@ -46,6 +46,16 @@ std::unique_ptr<parallel::fullydistributed::Triangulation<3>> distribute(Triangu
   return distributed;
 }
 
+prosup::mesh::TetMesh whole_mesh(const Triangulation<3>& mesh) {
+  prosup::mesh::TetMesh whole;
+  whole.points = mesh.get_vertices();
+  for (const auto& cell : mesh.active_cell_iterators())
+    whole.cells.push_back({cell->vertex_index(0), cell->vertex_index(1), cell->vertex_index(2),
+                           cell->vertex_index(3)});
+  whole.tissue.resize(whole.cells.size(), 0);
+  return whole;
+}
+
 void move_vertices(Triangulation<3>& mesh, const Body& body, const NodeVector& positions) {
   const auto at_cells =
       Utilities::MPI::broadcast(body.communicator(), body.gather_at_cells(positions), 0);

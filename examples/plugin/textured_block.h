@@ -6,6 +6,7 @@
 #include <deal.II/grid/tria.h>
 #include <prosup/image/voxel_image.h>
 #include <prosup/mechanics/body/body.h>
+#include <prosup/mesh/tet_mesh.h>
 
 #include <memory>
 
@@ -29,6 +30,9 @@ void make_block(const BlockParameters& parameters, dealii::Triangulation<3>& blo
 /// The same mesh over the ranks of a communicator.
 std::unique_ptr<dealii::parallel::fullydistributed::Triangulation<3>>
 distribute(dealii::Triangulation<3>& mesh, MPI_Comm communicator);
+
+/// The whole mesh as prosup takes it back for its results.
+prosup::mesh::TetMesh whole_mesh(const dealii::Triangulation<3>& mesh);
 
 /// Moves the vertices of `mesh` to `positions`, which live on a body made of it.
 void move_vertices(dealii::Triangulation<3>& mesh, const prosup::mechanics::Body& body,

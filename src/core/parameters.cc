@@ -94,6 +94,11 @@ void read_parameters(ParameterHandler& parameters, const std::filesystem::path& 
   ParameterAcceptor::parse_all_parameters(parameters);
 }
 
+void read_parameters(const std::filesystem::path& file, const std::vector<Override>& overrides) {
+  ParameterHandler parameters;
+  read_parameters(parameters, file, overrides);
+}
+
 void resolve_files(ParameterHandler& parameters, const std::string& section,
                    const std::vector<std::string>& entries, const std::filesystem::path& folder) {
   parameters.enter_subsection(section);

@@ -6,6 +6,8 @@
 #include "prosup/core/error.h"
 #include "prosup/core/text_file.h"
 #include "prosup/core/version.h"
+#include "prosup/mesh/deformation.h"
+#include "prosup/mesh/quality.h"
 
 namespace prosup::output {
 
@@ -29,13 +31,13 @@ void set(Json& json, const char* name, const std::optional<evaluation::ErrorStat
                   {"n", error->n}};
 }
 
-void set_state(Json& json, const char* name, const std::optional<StateSummary>& state) {
-  if (!state)
+void set_breast(Json& json, const char* name, const std::optional<BreastSummary>& breast) {
+  if (!breast)
     return;
   json["mesh"][name] = {
-      {"cells", state->n_cells}, {"nodes", state->n_nodes}, {"min_quality", state->min_quality}};
-  set(json["min_jacobian"], name, state->min_jacobian);
-  set(json["max_jacobian"], name, state->max_jacobian);
+      {"cells", breast->n_cells}, {"nodes", breast->n_nodes}, {"min_quality", breast->min_quality}};
+  set(json["min_jacobian"], name, breast->min_jacobian);
+  set(json["max_jacobian"], name, breast->max_jacobian);
 }
 
 void set(Json& json, const char* name, const std::optional<AlignmentSummary>& alignment) {
@@ -64,8 +66,8 @@ Json as_json(const Summary& summary) {
   json["command"] = summary.command;
   json["ranks"] = summary.ranks;
   json["converged"] = summary.converged;
-  set_state(json, "prone", summary.prone);
-  set_state(json, "supine", summary.supine);
+  for (const Position position : both_positions)
+    set_breast(json, name_of(position), summary.breasts[position]);
   set(json, "alignment", summary.alignment);
   set(json, "steps", summary.steps);
   set(json, "metric", summary.metric);
@@ -107,6 +109,18 @@ void require_finite(const Json& json, const std::string& name) {
 }
 
 } // namespace
+
+BreastSummary summarize(const mesh::UnloadedMesh& mesh) {
+  const mesh::MeshQuality quality = mesh::measure_quality(mesh.mesh);
+  const mesh::JacobianRange jacobian = mesh::jacobian_range(mesh);
+  BreastSummary summary;
+  summary.n_cells = quality.n_cells;
+  summary.n_nodes = quality.n_nodes;
+  summary.min_quality = quality.min_quality;
+  summary.min_jacobian = jacobian.min;
+  summary.max_jacobian = jacobian.max;
+  return summary;
+}
 
 void write_summary(const Summary& summary, const std::filesystem::path& file) {
   const Json json = as_json(summary);

@@ -2,19 +2,16 @@
 
 #include "prosup/core/error.h"
 #include "prosup/core/parameters.h"
-#include "prosup/similarity/metric.h"
 
 namespace prosup::pipeline {
 
 using namespace dealii;
-using similarity::state_names;
 
 namespace {
 
-std::string capitalized(const char* word) {
-  std::string text(word);
-  text[0] = static_cast<char>(std::toupper(text[0]));
-  return text;
+std::string capitalized(std::string word) {
+  word[0] = static_cast<char>(std::toupper(word[0]));
+  return word;
 }
 
 void require(const std::string& value, const std::string& entry, const std::string& option) {
@@ -27,57 +24,49 @@ void require(const std::string& value, const std::string& entry, const std::stri
 
 } // namespace
 
-CaseParameters::CaseParameters() : ParameterAcceptor("Case"), chest_("sliding") {
-  gravity[0][1] = -1.;
-  gravity[1][1] = 1.;
-}
+CaseParameters::CaseParameters() : ParameterAcceptor("Case") {}
 
 void CaseParameters::declare_parameters(ParameterHandler& prm) {
-  for (unsigned s = 0; s < 2; ++s) {
-    const std::string state = capitalized(state_names[s]);
-    prm.add_parameter(state + " image", images[s],
-                      "Image of the loaded " + std::string(state_names[s]) +
-                          " breast: NIfTI, NRRD or MetaImage.",
+  for (const Position position : both_positions) {
+    const std::string name = name_of(position), Name = capitalized(name);
+    prm.add_parameter(Name + " image", files_.images[position],
+                      "Image of the loaded " + name + " breast: NIfTI, NRRD or MetaImage.",
                       Patterns::Anything());
-    prm.add_parameter(state + " labels", labels[s],
-                      "Its labels on the same voxels: air, chest wall and muscle, fat, gland.",
+    prm.add_parameter(Name + " labels", files_.labels[position],
+                      "Labels on the same voxels; what they mean is said in section Labels.",
                       Patterns::Anything());
-    prm.add_parameter(state + " excluded", excluded[s],
-                      "Mask on the same voxels: where it is not 0, the image gives no force, as "
-                      "at marker clips. May be empty.",
+    prm.add_parameter(Name + " excluded", files_.excluded[position],
+                      "Mask on the same voxels. Where it is not 0 the image gives no force, for "
+                      "instance at marker clips. May be empty.",
                       Patterns::Anything());
-    prm.add_parameter(state + " gravity", gravity[s],
+    prm.add_parameter(Name + " gravity", files_.gravity[position],
                       "Direction of gravity, LPS. Units: none (its length does not matter).");
   }
-  prm.add_parameter("Landmarks", landmarks,
+  prm.add_parameter("Landmarks", landmarks_,
                     "Landmarks for evaluation only, CSV: id,prone_x,...,supine_z. May be empty.",
                     Patterns::Anything());
-  prm.add_parameter("Supine offset", supine_offset,
-                    "Added to all supine coordinates (image, labels, landmarks) as they are read, "
-                    "as if the patient lay elsewhere: tells how much a misaligned chest matters. "
-                    "Units: mm.");
+  prm.add_parameter("Supine offset", files_.supine_offset,
+                    "Is added to all supine coordinates (image, labels, landmarks) as they are "
+                    "read, to see how much a misaligned chest matters. Units: mm.");
   prm.add_parameter("State", state_, "What the commands mesh, unload and load work on.",
                     Patterns::Selection("prone|supine"));
   prm.add_parameter("Chest", chest_,
                     "Motion of the tissue on the chest wall. fixed: none. sliding: along it. "
-                    "one-sided: along it, and it may lift off. Units: none.",
+                    "one-sided: along it, and it may lift off.",
                     one_of(unloading::chest_condition_names()));
-  prm.add_parameter("Method", method_,
-                    "Numerical method of register and unload. fe: finite elements. fdm: the "
-                    "finite differences of the paper, for comparison.",
-                    Patterns::Selection("fe|fdm"));
 }
 
 void CaseParameters::parse_parameters(ParameterHandler&) {
-  for (unsigned s = 0; s < 2; ++s)
-    if (!(gravity[s].norm() > 0.))
-      throw Error("The direction 'Case/" + capitalized(state_names[s]) +
+  for (const Position position : both_positions)
+    if (!(files_.gravity[position].norm() > 0.))
+      throw Error("The direction 'Case/" + capitalized(name_of(position)) +
                   " gravity' is 0,0,0; give a direction in LPS, such as 0,-1,0 for prone and "
                   "0,1,0 for supine.");
+  files_.chest = enumerator<unloading::ChestCondition>(chest_, unloading::chest_condition_names());
 }
 
-unloading::ChestCondition CaseParameters::chest() const {
-  return enumerator<unloading::ChestCondition>(chest_, unloading::chest_condition_names());
+Position CaseParameters::position() const {
+  return state_ == name_of(Position::prone) ? Position::prone : Position::supine;
 }
 
 void CaseParameters::resolve(const std::filesystem::path& folder, ParameterHandler& prm) {
@@ -88,16 +77,18 @@ void CaseParameters::resolve(const std::filesystem::path& folder, ParameterHandl
 }
 
 void CaseParameters::require_pair() const {
-  for (unsigned s = 0; s < 2; ++s) {
-    const std::string state = state_names[s];
-    require(images[s], "Case/" + capitalized(state_names[s]) + " image", "--" + state + "-image");
-    require_labels(s);
+  for (const Position position : both_positions) {
+    const std::string name = name_of(position);
+    require(files_.images[position], "Case/" + capitalized(name) + " image",
+            "--" + name + "-image");
+    require_labels(position);
   }
 }
 
-void CaseParameters::require_labels(unsigned s) const {
-  require(labels[s], "Case/" + capitalized(state_names[s]) + " labels",
-          "--" + std::string(state_names[s]) + "-labels");
+void CaseParameters::require_labels(Position position) const {
+  const std::string name = name_of(position);
+  require(files_.labels[position], "Case/" + capitalized(name) + " labels",
+          "--" + name + "-labels");
 }
 
 } // namespace prosup::pipeline

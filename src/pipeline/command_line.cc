@@ -14,7 +14,6 @@
 #include "prosup/core/text.h"
 #include "prosup/core/version.h"
 #include "prosup/pipeline/commands.h"
-#include "prosup/pipeline/register_pipeline.h"
 #include "prosup/similarity/similarity_parameters.h"
 
 namespace prosup::pipeline {
@@ -25,14 +24,19 @@ namespace {
 
 constexpr int success = 0, failure = 1, not_settled = 2;
 
-/// The commands that take a parameter file, and what they do.
-constexpr std::pair<const char*, const char*> commands_with_parameters[] = {
-    {"register", "Both images and masks to the registered unloaded pair"},
-    {"unload", "One mask (and image) to its unloaded configuration"},
-    {"load", "One unloaded mask (and image) or mesh to its loaded configuration"},
-    {"mesh", "One mask to a mesh, with a quality report"},
-    {"phantom", "Images of a numerical phantom, with their truth"},
-    {"compare", "Runs of prosup and of other programs: speed against error"}};
+/// A command that takes a parameter file.
+struct Command {
+  const char *name, *text;
+  bool (*run)(const AllParameters&, const dealii::ParameterHandler&, const fs::path&, MPI_Comm);
+};
+
+constexpr Command commands_with_parameters[] = {
+    {"register", "Both images and masks to the registered unloaded pair", run_register},
+    {"unload", "One mask (and image) to its unloaded configuration", run_unload},
+    {"load", "One unloaded mask (and image) or mesh to its loaded configuration", run_load},
+    {"mesh", "One mask to a mesh, with a quality report", run_mesh},
+    {"phantom", "Images of a numerical phantom, with their truth", run_phantom},
+    {"compare", "Runs of prosup and of other programs: speed against error", run_compare}};
 
 /// What stands on the command line of the commands that take a parameter file.
 struct Options {
@@ -62,7 +66,7 @@ void add_case_options(CLI::App& command, Options& options) {
       {"--prone-gravity", "Prone gravity", "Direction of gravity, x,y,z (LPS)", false},
       {"--supine-gravity", "Supine gravity", "Direction of gravity, x,y,z (LPS)", false},
       {"--chest", "Chest", "Motion on the chest wall: fixed, sliding or one-sided", false},
-      {"--method", "Method", "Numerical method: fe or fdm", false},
+
       {"--state", "State", "What mesh, unload and load work on: prone or supine", false},
   };
   for (const CaseOption& c : case_options)
@@ -73,6 +77,12 @@ void add_case_options(CLI::App& command, Options& options) {
                                    (c.is_file ? absolute_path(value) : value));
         },
         c.text);
+  command.add_option_function<std::string>(
+      "--method",
+      [&options](const std::string& value) {
+        options.inputs.push_back("Simulation/Method=" + value);
+      },
+      "Numerical method: " + joined(registration::method_names()));
   command.add_option_function<std::string>(
       "--similarity",
       [&options](const std::string& value) {
@@ -92,44 +102,34 @@ void add_common_options(CLI::App& command, Options& options) {
   command.set_version_flag("--version", version());
 }
 
-/// Gives the stages their values. True if there is work to do.
-bool prepare(const Options& options, Stages& stages, dealii::ParameterHandler& parameters,
+/// Gives the parameters their values. True if there is work to do.
+bool prepare(const Options& options, AllParameters& parameters, dealii::ParameterHandler& handler,
              MPI_Comm world) {
   std::vector<Override> overrides = options.inputs;
   overrides.insert(overrides.end(), options.overrides.begin(), options.overrides.end());
   on_every_rank(world, [&] {
-    read_parameters(parameters, options.file, overrides);
+    read_parameters(handler, options.file, overrides);
     const fs::path folder =
         options.file.empty() ? fs::current_path() : fs::absolute(options.file).parent_path();
-    stages.scene.resolve(folder, parameters);
-    stages.single_state.resolve(folder, parameters);
-    stages.comparison.resolve(folder, parameters);
+    parameters.case_files.resolve(folder, handler);
+    parameters.single_state.resolve(folder, handler);
+    parameters.comparison.resolve(folder, handler);
   });
   if (options.write_prm.empty())
     return true;
-  on_root(world, [&] { write_parameters(parameters, options.write_prm); });
+  on_root(world, [&] { write_parameters(handler, options.write_prm); });
   return false;
 }
 
 int run_with_parameters(const std::string& command, const Options& options, MPI_Comm world) {
-  Stages stages;
-  dealii::ParameterHandler parameters;
-  if (!prepare(options, stages, parameters, world))
+  AllParameters parameters;
+  dealii::ParameterHandler handler;
+  if (!prepare(options, parameters, handler, world))
     return success;
-  bool settled = true;
-  if (command == "register")
-    settled = RegisterPipeline(stages, parameters, world).run(options.output);
-  else if (command == "unload")
-    settled = run_unload(stages, parameters, options.output, world);
-  else if (command == "load")
-    settled = run_load(stages, parameters, options.output, world);
-  else if (command == "phantom")
-    run_phantom(stages, parameters, options.output, world);
-  else if (command == "compare")
-    settled = run_compare(stages, parameters, options.output, world);
-  else
-    run_mesh(stages, parameters, options.output, world);
-  return settled ? success : not_settled;
+  for (const Command& entry : commands_with_parameters)
+    if (command == entry.name)
+      return entry.run(parameters, handler, options.output, world) ? success : not_settled;
+  return failure;
 }
 
 void add_map_options(CLI::App& command, MapRequest& request) {
@@ -196,8 +196,8 @@ int run_command_line(int argc, char** argv, MPI_Comm world) {
   Options options;
   MapRequest map;
   LandmarkRequest landmarks;
-  for (const auto& [name, text] : commands_with_parameters)
-    add_common_options(*app.add_subcommand(name, text), options);
+  for (const Command& command : commands_with_parameters)
+    add_common_options(*app.add_subcommand(command.name, command.text), options);
   add_map_options(*app.add_subcommand("map", "Points from one state to another"), map);
   add_landmark_options(
       *app.add_subcommand("landmarks", "Errors at the landmarks of several observers"), landmarks);

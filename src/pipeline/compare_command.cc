@@ -25,16 +25,17 @@ std::string name_of(const fs::path& folder) {
 /// All runs of a comparison, and what is written of them.
 class CompareJob {
 public:
-  CompareJob(const Stages& stages, MPI_Comm world)
-      : stages_(stages), parameters_(stages.comparison), log_(world),
+  CompareJob(const ComparisonParameters& parameters, const CaseParameters& case_files,
+             const Labels& labels, MPI_Comm world)
+      : parameters_(parameters), case_files_(case_files), labels_(labels), log_(world),
         runs_(planned_runs(parameters_.runs)) {
     check();
   }
 
   /// @returns whether the runs succeeded as far as the parameters ask for it.
-  bool run(const dealii::ParameterHandler& parameters, const fs::path& output) {
+  bool run(const dealii::ParameterHandler& all, const fs::path& output) {
     ResultFolder folder(output);
-    write_parameters(parameters, folder.path() / "used.prm");
+    write_parameters(all, folder.path() / "used.prm");
     comparison_ = {
         name_of(output),    parameters_.title,
         describe_machine(), {},
@@ -50,20 +51,19 @@ public:
 
 private:
   void check() const {
-    const CaseParameters& scene = stages_.scene;
     if (runs_.empty() && parameters_.peers.empty())
       throw Error("There is nothing to compare; name runs in 'Comparison/Runs' of the parameter "
                   "file, as in prm/benchmarks.");
     if (parameters_.is_registration())
-      scene.require_pair();
+      case_files_.require_pair();
     else
-      scene.require_labels(scene.state());
+      case_files_.require_labels(case_files_.position());
     if (parameters_.peers.empty())
       return;
     if (!parameters_.is_registration())
       throw Error("Peers register images and cannot unload; take 'Comparison/Peers' out or set "
                   "'Comparison/Command' to register.");
-    if (scene.supine_offset.norm() > 0.)
+    if (case_files_.files().supine_offset.norm() > 0.)
       throw Error("Peers read the images as they are and know no 'Case/Supine offset'; set it to "
                   "0,0,0 where there are 'Comparison/Peers'.");
   }
@@ -73,7 +73,7 @@ private:
     std::vector<std::unique_ptr<Peer>> peers;
     for (const std::string& name : parameters_.peers)
       peers.push_back(make_peer(name));
-    ComparisonRuns runs(stages_, folder);
+    ComparisonRuns runs(parameters_, case_files_, labels_.tissues, folder);
     for (const unsigned n_ranks : parameters_.ranks) {
       for (const PlannedRun& planned : runs_)
         add(runs.make(planned, n_ranks));
@@ -116,8 +116,9 @@ private:
     return failed == 0 || !parameters_.all_must_succeed;
   }
 
-  const Stages& stages_;
   const ComparisonParameters& parameters_;
+  const CaseParameters& case_files_;
+  const Labels& labels_;
   const Log log_;
   const std::vector<PlannedRun> runs_;
   output::Comparison comparison_;
@@ -134,10 +135,12 @@ void require_no_mpirun(MPI_Comm world) {
 
 } // namespace
 
-bool run_compare(const Stages& stages, const dealii::ParameterHandler& parameters,
+bool run_compare(const AllParameters& parameters, const dealii::ParameterHandler& all,
                  const fs::path& output, MPI_Comm world) {
   require_no_mpirun(world);
-  return CompareJob(stages, world).run(parameters, output);
+  return CompareJob(parameters.comparison, parameters.case_files, parameters.registration.labels,
+                    world)
+      .run(all, output);
 }
 
 } // namespace prosup::pipeline

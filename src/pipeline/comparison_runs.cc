@@ -46,15 +46,16 @@ std::string without_folder(std::string message, const fs::path& folder) {
 
 } // namespace
 
-ComparisonRuns::ComparisonRuns(const Stages& stages, const fs::path& folder)
-    : stages_(stages), parameters_(stages.comparison), folder_(folder), work_(folder / "work"),
+ComparisonRuns::ComparisonRuns(const ComparisonParameters& parameters,
+                               const CaseParameters& case_files,
+                               const std::vector<unsigned>& tissues, const fs::path& folder)
+    : parameters_(parameters), case_files_(case_files), folder_(folder), work_(folder / "work"),
       program_(this_program()) {
-  const CaseParameters& scene = stages.scene;
-  if (!scene.landmarks.empty())
-    yardstick_.landmarks = evaluation::read_landmarks(scene.landmarks);
+  if (!case_files.landmarks().empty())
+    yardstick_.landmarks = evaluation::read_landmarks(case_files.landmarks());
   if (parameters_.is_registration())
     yardstick_.breast =
-        image::select_labels(image::read_labels(scene.labels[0]), stages.labels.tissues);
+        image::select_labels(image::read_labels(case_files.files().labels.prone), tissues);
   fs::create_directory(folder_ / "logs");
 }
 
@@ -148,8 +149,8 @@ Row ComparisonRuns::make(const Peer& peer, const std::string& name, unsigned n_t
   row.name = name.size() > row.group.size() ? name.substr(row.group.size() + 1) : "default";
   row.ranks = n_threads;
   fs::create_directory(work_);
-  const PeerTask task{stages_.scene.images[0], stages_.scene.images[1], peer_parameters(name),
-                      work_, n_threads};
+  const auto& images = case_files_.files().images;
+  const PeerTask task{images.prone, images.supine, peer_parameters(name), work_, n_threads};
   repeat(
       peer.registration(task), n_threads,
       [&](Row& r, const fs::path& log) {

@@ -8,7 +8,8 @@
 
 #include "peers.h"
 #include "planned_runs.h"
-#include "prosup/pipeline/stages.h"
+#include "prosup/pipeline/case_parameters.h"
+#include "prosup/pipeline/comparison_parameters.h"
 #include "run_outcome.h"
 
 namespace prosup::pipeline {
@@ -17,7 +18,9 @@ namespace prosup::pipeline {
 class ComparisonRuns {
 public:
   /// `folder` holds used.prm, which the runs of prosup read, and gets `logs`.
-  ComparisonRuns(const Stages& stages, const std::filesystem::path& folder);
+  /// `tissues` are the labels of the breast. Keeps references to the parameters.
+  ComparisonRuns(const ComparisonParameters& parameters, const CaseParameters& case_files,
+                 const std::vector<unsigned>& tissues, const std::filesystem::path& folder);
 
   /// One run; a failed one is told by its row.
   output::ComparisonRow make(const PlannedRun& run, unsigned n_ranks);
@@ -35,8 +38,8 @@ private:
   Command prosup(const PlannedRun& run, unsigned n_ranks) const;
   std::filesystem::path peer_parameters(const std::string& name) const;
 
-  const Stages& stages_;
   const ComparisonParameters& parameters_;
+  const CaseParameters& case_files_;
   const std::filesystem::path folder_, work_;
   const std::filesystem::path program_; ///< as it was found at the start
   Yardstick yardstick_;

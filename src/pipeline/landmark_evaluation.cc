@@ -8,10 +8,10 @@ namespace prosup::pipeline {
 using evaluation::ErrorStatistics;
 
 void LandmarkEvaluation::read(const CaseParameters& parameters) {
-  if (parameters.landmarks.empty())
+  if (parameters.landmarks().empty())
     return;
-  landmarks_ = evaluation::read_landmarks(parameters.landmarks);
-  supine_offset_ = parameters.supine_offset;
+  landmarks_ = evaluation::read_landmarks(parameters.landmarks());
+  supine_offset_ = parameters.files().supine_offset;
   for (evaluation::Landmark& landmark : landmarks_)
     landmark.supine += supine_offset_;
 }
@@ -23,18 +23,18 @@ std::optional<ErrorStatistics> LandmarkEvaluation::initial() const {
 }
 
 std::optional<ErrorStatistics>
-LandmarkEvaluation::evaluate(const std::array<mesh::UnloadedMesh, 2>& meshes) {
+LandmarkEvaluation::evaluate(const PerPosition<mesh::UnloadedMesh>& meshes) {
   if (!has_landmarks())
     return {};
-  mapped_ = evaluation::map_landmarks(landmarks_, evaluation::PointMapper(meshes[0]),
-                                      evaluation::PointMapper(meshes[1]));
+  mapped_ = evaluation::map_landmarks(landmarks_, evaluation::PointMapper(meshes.prone),
+                                      evaluation::PointMapper(meshes.supine));
   std::vector<double> errors;
   for (const evaluation::MappedLandmark& landmark : mapped_)
     errors.push_back(landmark.error());
   return evaluation::statistics(std::move(errors));
 }
 
-std::optional<ErrorStatistics> LandmarkEvaluation::evaluate(unsigned state,
+std::optional<ErrorStatistics> LandmarkEvaluation::evaluate(Position position,
                                                             const mesh::UnloadedMesh& mesh) const {
   const evaluation::PointMapper mapper(mesh);
   std::vector<double> errors;
@@ -42,7 +42,7 @@ std::optional<ErrorStatistics> LandmarkEvaluation::evaluate(unsigned state,
     if (landmark.unloaded)
       // The true unloaded shape of a supine breast that lies elsewhere does so too.
       errors.push_back(
-          state == 0
+          position == Position::prone
               ? mapper.to_unloaded(landmark.prone).distance(*landmark.unloaded)
               : mapper.to_unloaded(landmark.supine).distance(*landmark.unloaded + supine_offset_));
   if (errors.empty())

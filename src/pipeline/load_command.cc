@@ -1,7 +1,7 @@
 #include "prosup/core/error.h"
-#include "prosup/mesh/deformation.h"
 #include "prosup/output/pictures.h"
 #include "prosup/output/vtu.h"
+#include "prosup/pipeline/commands.h"
 #include "single_state_job.h"
 
 namespace prosup::pipeline {
@@ -14,36 +14,38 @@ mesh::UnloadedMesh exchanged(mesh::UnloadedMesh mesh) {
   return mesh;
 }
 
-/// One unloaded state to its loaded configuration.
+/// A mesh that is there already, whatever the labels.
+struct GivenMesh : mesh::MeshSource {
+  mesh::TetMesh mesh(const image::LabelImage&) const override { return given; }
+  mesh::TetMesh given;
+};
+
+/// One unloaded breast to its loaded configuration.
 class LoadJob : public SingleStateJob {
 public:
-  LoadJob(const Stages& stages, MPI_Comm world)
-      : SingleStateJob(stages, world, "load", "Loading") {}
+  LoadJob(const AllParameters& parameters, const dealii::ParameterHandler& all,
+          const std::filesystem::path& output, MPI_Comm world)
+      : SingleStateJob(parameters, all, output, world, "load", "Loading") {}
 
 private:
-  bool has_mesh() const { return !stages_.single_state.mesh.empty(); }
+  bool has_mesh() const { return !parameters_.single_state.mesh.empty(); }
 
   /// A mesh makes the labels needless, unless there is an image or tissue slides.
   void read() override {
+    const registration::CaseFiles& files = parameters_.case_files.files();
     if (has_mesh())
-      file_mesh_ = output::read_mesh(stages_.single_state.mesh);
-    if (!has_mesh() || !stages_.scene.images[state_].empty() ||
-        stages_.supports.need_labels(stages_.scene.chest()))
+      unloaded_.given = exchanged(output::read_mesh(parameters_.single_state.mesh)).mesh;
+    if (!has_mesh() || !files.images[position_].empty() ||
+        parameters_.model().supports.need_labels(files.chest))
       SingleStateJob::read();
   }
 
-  mesh::TetMesh make_mesh() override {
-    if (!has_mesh())
-      return SingleStateJob::make_mesh();
-    return exchanged(std::move(file_mesh_)).mesh;
-  }
+  const mesh::MeshSource* mesh_source() const override { return has_mesh() ? &unloaded_ : nullptr; }
 
-  mesh::UnloadedMesh simulate(mesh::TetMesh mesh) override {
-    const auto body = make_body(stages_, mesh, world_);
-    const mechanics::NodeVector loaded = equilibrium(*body, Direction::load);
-    mesh::UnloadedMesh result{mesh, mesh.points};
-    result.mesh.points = mesh::at_nodes(mesh, body->gather_at_cells(loaded));
-    return result;
+  settling::SettlingResult settle(registration::Breast& breast) override { return breast.load(); }
+  registration::QuasiStaticSolution solve(registration::ElementBreast& breast,
+                                          const registration::QuasiStaticInput& input) override {
+    return load_quasi_statically(breast, input);
   }
 
   void write_images(const std::filesystem::path& folder) const override {
@@ -51,21 +53,22 @@ private:
     const image::VectorImage field =
         write_field(exchanged(mesh_), folder / (name_ + "_to_unloaded.nrrd"));
     const auto loaded = write_warped(field, folder / (name_ + "_loaded.nii.gz"));
-    if (loaded && stages_.results.pictures)
+    if (loaded && parameters_.results.pictures)
       output::write_loading_slices(original_->image, original_->breast, *loaded, folder);
   }
 
-  mesh::UnloadedMesh file_mesh_;
+  GivenMesh unloaded_;
 };
 
 } // namespace
 
-bool run_load(const Stages& stages, const dealii::ParameterHandler& parameters,
+bool run_load(const AllParameters& parameters, const dealii::ParameterHandler& all,
               const std::filesystem::path& output, MPI_Comm world) {
-  if (stages.scene.method() != "fe")
-    throw Error("'Case/Method' is " + stages.scene.method() +
+  const std::string& method = parameters.model().simulation.method;
+  if (method != "fe")
+    throw Error("'Simulation/Method' is " + method +
                 ", but load knows finite elements only; use --method fe.");
-  return LoadJob(stages, world).run(parameters, output);
+  return LoadJob(parameters, all, output, world).run();
 }
 
 } // namespace prosup::pipeline

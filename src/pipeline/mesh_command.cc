@@ -1,14 +1,9 @@
-#include <deal.II/base/mpi.h>
-
 #include "prosup/core/collective.h"
 #include "prosup/core/log.h"
-#include "prosup/core/parameters.h"
-#include "prosup/core/result_folder.h"
 #include "prosup/mesh/quality.h"
-#include "prosup/output/summary.h"
 #include "prosup/output/vtu.h"
 #include "prosup/pipeline/commands.h"
-#include "prosup/pipeline/stage_timer.h"
+#include "prosup/pipeline/result_run.h"
 
 namespace prosup::pipeline {
 
@@ -26,36 +21,35 @@ std::string report(const mesh::MeshQuality& quality) {
 
 } // namespace
 
-void run_mesh(const Stages& stages, const dealii::ParameterHandler& parameters,
+bool run_mesh(const AllParameters& parameters, const dealii::ParameterHandler& all,
               const std::filesystem::path& output, MPI_Comm world) {
-  const Log log(world);
-  StageTimer timer(world, log);
-  const unsigned state = stages.scene.state();
-  output::Summary summary;
-  summary.command = "mesh";
-  summary.ranks = dealii::Utilities::MPI::n_mpi_processes(world);
-  summary.peak_memory = peak_memory(world);
-  on_root(world, [&] {
-    ResultFolder folder(output);
-    mesh::TetMesh mesh;
-    const image::LabelImage labels = stages.inputs.read_labels(stages.scene, state);
-    const auto start = std::chrono::steady_clock::now();
-    log.line("Meshing");
-    mesh = stages.mesher.mesh(labels);
-    summary.time.mesh =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    const mesh::MeshQuality quality = mesh::measure_quality(mesh);
-    log.line(report(quality));
-    (state == 0 ? summary.prone : summary.supine) =
-        output::StateSummary{quality.n_cells, quality.n_nodes, quality.min_quality, {}, {}};
-    summary.converged = true;
-    summary.time.total = timer.total();
-    output::write_mesh({mesh, mesh.points}, folder.path(), similarity::state_names[state]);
-    write_parameters(parameters, folder.path() / "used.prm");
-    output::write_summary(summary, folder.path() / "summary.json");
-    folder.commit();
-    log.line("\nResults are in " + output.string());
+  ResultRun run("mesh", all, output, world);
+  const CaseParameters& given = parameters.case_files;
+  const Position position = given.position();
+  image::LabelImage labels;
+  mesh::TetMesh mesh;
+  run.stage("Reading", [&] {
+    on_root(world, [&] {
+      given.require_labels(position);
+      labels = parameters.registration.images.read_labels(given.files(), position);
+    });
   });
+  run.stage("Meshing",
+            [&] { on_root(world, [&] { mesh = parameters.model().mesher.mesh(labels); }); });
+  run.stage("Writing results", [&] {
+    on_root(world, [&] {
+      const mesh::MeshQuality quality = mesh::measure_quality(mesh);
+      run.log().line(report(quality));
+      auto& breast = run.summary().breasts[position].emplace();
+      breast.n_cells = quality.n_cells;
+      breast.n_nodes = quality.n_nodes;
+      breast.min_quality = quality.min_quality;
+      output::write_mesh({mesh, mesh.points}, run.folder(), name_of(position));
+    });
+  });
+  run.summary().time.mesh = run.seconds("Meshing");
+  run.summary().converged = true;
+  return run.finish();
 }
 
 } // namespace prosup::pipeline

@@ -62,26 +62,24 @@ Json images_of(const phantom::ImagingParameters& images) {
 
 } // namespace
 
-void write_phantom_truth(const Stages& stages, const evaluation::ErrorStatistics& initial_error,
-                         const std::array<mechanics::QuasiStaticResult, 2>& results,
-                         const std::filesystem::path& file) {
-  const phantom::PhantomParameters& phantom = stages.phantom;
+void write_phantom_truth(const PhantomTruth& truth, const std::filesystem::path& file) {
+  const phantom::PhantomParameters& phantom = truth.phantom;
   Json json = mechanics_of(phantom.mechanics);
   json["version"] = version();
   json["seed"] = phantom.seed;
-  json["density_g_per_mm3"] = stages.unloading.density;
-  json["gravity_mm_per_s2"] = stages.unloading.gravity;
+  json["density_g_per_mm3"] = truth.load.density;
+  json["gravity_mm_per_s2"] = truth.load.gravity;
   json["geometry"] = geometry_of(phantom.anatomy);
   json["images"] = images_of(phantom.images);
-  json["mesh"] = {{"element", "quadratic tetrahedra"},
-                  {"edge_length_mm", phantom.mechanics.edge_length}};
-  for (const unsigned state : {0u, 1u}) {
-    const char* name = similarity::state_names[state];
-    json["gravity_direction_LPS"][name] = as_json(stages.scene.gravity[state]);
-    json["min_jacobian"][name] = results[state].min_jacobian;
+  json["mesh"] = {{"element", "quadratic tetrahedra"}, {"edge_length_mm", phantom.mechanics.edge_length}};
+  for (const Position position : both_positions) {
+    const char* name = name_of(position);
+    json["gravity_direction_LPS"][name] = as_json(truth.gravity_direction[position]);
+    json["min_jacobian"][name] = truth.results[position].min_jacobian;
   }
-  json["initial_TRE_mm"] = {
-      {"mean", initial_error.mean}, {"std", initial_error.std}, {"max", initial_error.max}};
+  json["initial_TRE_mm"] = {{"mean", truth.initial_error.mean},
+                            {"std", truth.initial_error.std},
+                            {"max", truth.initial_error.max}};
   json["coordinates"] = "LPS mm";
   write_text_file(json.dump(2) + "\n", file);
 }

@@ -1,26 +1,18 @@
 #include "prosup/pipeline/register_pipeline.h"
 
-#include <deal.II/base/mpi.h>
-
-#include <algorithm>
+#include <deal.II/base/numbers.h>
 
 #include "prosup/core/collective.h"
-#include "prosup/core/parameters.h"
-#include "prosup/core/result_folder.h"
-#include "prosup/core/version.h"
-#include "prosup/mesh/deformation.h"
-#include "prosup/mesh/quality.h"
 #include "prosup/output/pictures.h"
 #include "prosup/output/vtu.h"
-#include "prosup/pipeline/body_building.h"
-#include "prosup/pipeline/chest_alignment.h"
+#include "prosup/pipeline/commands.h"
+#include "prosup/pipeline/descriptions.h"
 #include "prosup/pipeline/result_images.h"
 
 namespace prosup::pipeline {
 
 using namespace dealii;
-using similarity::prone;
-using similarity::supine;
+using registration::MechanicalProperties;
 
 namespace {
 
@@ -34,169 +26,167 @@ constexpr const char* image_forces = "Image forces";
 constexpr const char* write = "Writing results";
 } // namespace stage
 
-/// The path of the folder that only rank 0 has.
-std::filesystem::path shared_path(const ResultFolder* folder, MPI_Comm communicator) {
-  return Utilities::MPI::broadcast(communicator,
-                                   folder == nullptr ? std::string() : folder->path().string());
+output::AlignmentSummary summary_of(const registration::Alignment& alignment) {
+  output::AlignmentSummary summary;
+  summary.method = alignment.method;
+  const Tensor<1, 3> rotation = alignment.transform.rotation_vector();
+  for (unsigned d = 0; d < 3; ++d) {
+    summary.translation[d] = alignment.transform.translation[d];
+    summary.rotation_degrees[d] = 180. / numbers::PI * rotation[d];
+  }
+  summary.surface_before = alignment.surface.distance_before;
+  summary.surface_after = alignment.surface.distance_after;
+  if (alignment.intensities)
+    summary.information = {alignment.intensities->information_before,
+                           alignment.intensities->information_after};
+  return summary;
 }
 
 } // namespace
 
-RegisterPipeline::RegisterPipeline(const Stages& stages, const ParameterHandler& parameters,
-                                   MPI_Comm world)
-    : stages_(stages), parameters_(parameters), log_(world), ranks_(world),
-      timer_(ranks_.world(), log_),
-      method_(make_method(stages.scene.method(), stages, ranks_, log_)) {
-  summary_.command = "register";
-  summary_.metric = stages.similarity.metric;
-  summary_.ranks = Utilities::MPI::n_mpi_processes(world);
-  summary_.converged = true;
-  summary_.steps = 0;
-  log_.line(format("prosup %s, deal.II %s, %u rank%s", version(), dealii_version(), summary_.ranks,
-                   summary_.ranks == 1 ? "" : "s"));
+RegisterPipeline::RegisterPipeline(const CaseParameters& case_files,
+                                   const registration::RegistrationParameters& parameters,
+                                   const ResultParameters& results, const ParameterHandler& all,
+                                   const std::filesystem::path& output, MPI_Comm world)
+    : case_files_(case_files), results_(results), aligns_(parameters.pre_alignment.wanted()),
+      run_("register", all, output, world),
+      registration_(parameters, world, run_.log()) {
+  run_.summary().metric = parameters.similarity.metric;
+  run_.summary().steps = 0;
+  registration_.set_observer(
+      [this](const registration::SimilarityRecord& record) { observe(record); });
 }
 
-bool RegisterPipeline::run(const std::filesystem::path& output) {
-  std::unique_ptr<ResultFolder> folder;
-  on_root(ranks_.world(), [&] { folder = std::make_unique<ResultFolder>(output); });
-
-  timer_.run(stage::read, [&] { read(); });
-  if (stages_.pre_alignment.wanted())
-    timer_.run(stage::align, [&] { align(); });
-  timer_.run(stage::mesh, [&] { build(); });
-  timer_.run(stage::unloading, [&] { unload(); });
-  timer_.run(stage::material, [&] { update_material(); });
-  timer_.run(stage::image_forces, [&] { push_with_image_forces(); });
-  timer_.run(stage::write, [&] { write(shared_path(folder.get(), ranks_.world())); });
-
-  summary_.peak_memory = peak_memory(ranks_.world());
-  on_root(ranks_.world(), [&] {
-    summary_.time = {timer_.seconds(stage::mesh), timer_.seconds(stage::unloading),
-                     timer_.seconds(stage::material), timer_.seconds(stage::image_forces),
-                     timer_.total()};
-    output::write_summary(summary_, folder->path() / "summary.json");
-    folder->commit();
-    log_.line("\n" + timer_.table());
-    if (landmarks_.has_landmarks())
-      log_.line("\n" + output::error_table(summary_));
-    for (const std::string& warning : summary_.warnings)
-      log_.line("Warning: " + warning);
-    log_.line("\nResults are in " + output.string());
-  });
-  return summary_.converged;
+bool RegisterPipeline::run() {
+  run_.stage(stage::read, [&] { read(); });
+  if (aligns_)
+    run_.stage(stage::align, [&] { align(); });
+  run_.stage(stage::mesh, [&] { registration_.build(); });
+  run_.stage(stage::unloading, [&] { unload(); });
+  run_.stage(stage::material, [&] { match_properties(); });
+  run_.stage(stage::image_forces, [&] { match_images(); });
+  run_.stage(stage::write, [&] { write(); });
+  auto& time = run_.summary().time;
+  time.mesh = run_.seconds(stage::mesh);
+  time.unloading = run_.seconds(stage::unloading);
+  time.material = run_.seconds(stage::material);
+  time.image_forces = run_.seconds(stage::image_forces);
+  return run_.finish(output::error_table(run_.summary()));
 }
 
 void RegisterPipeline::read() {
-  on_root(ranks_.world(), [&] { landmarks_.read(stages_.scene); });
-  inputs_ = stages_.inputs.read_pair(stages_.scene, ranks_.world());
-  summary_.tre.initial = landmarks_.initial();
+  on_root(registration_.ranks().world(), [&] {
+    case_files_.require_pair();
+    landmarks_.read(case_files_);
+  });
+  registration_.read(case_files_.files());
+  run_.summary().tre.initial = landmarks_.initial();
 }
 
 void RegisterPipeline::align() {
-  summary_.alignment = align_chests(stages_.pre_alignment, inputs_, log_, ranks_.world());
-}
-
-void RegisterPipeline::build() {
-  method_->build(inputs_);
+  registration_.align();
+  if (registration_.alignment())
+    run_.summary().alignment = summary_of(*registration_.alignment());
 }
 
 void RegisterPipeline::unload() {
-  record(method_->unload());
-  evaluate(summary_.tre.unloaded);
+  const auto results = registration_.unload();
+  for (const Position position : both_positions) {
+    note(results[position].n_steps);
+    run_.log().line(describe(name_of(position), results[position]));
+  }
+  evaluate(run_.summary().tre.unloaded);
 }
 
-void RegisterPipeline::update_material() {
-  const registration::MaterialUpdateResult result = method_->update_material(observer());
-  *summary_.steps += result.n_steps;
-  summary_.converged = summary_.converged && result.converged;
-  const registration::MechanicalProperties& found = method_->properties();
-  summary_.shear_modulus = found.tissue.shear_modulus;
-  summary_.poisson_ratio = found.tissue.poisson_ratio;
-  summary_.gland_ratio = found.tissue.gland_ratio;
+void RegisterPipeline::match_properties() {
+  note(registration_.match_properties().n_steps);
+  note_properties();
+  evaluate(run_.summary().tre.material);
+}
+
+void RegisterPipeline::match_images() {
+  note(registration_.match_images().n_steps);
+  evaluate(run_.summary().tre.image_forces);
+}
+
+void RegisterPipeline::note(unsigned n_steps) {
+  *run_.summary().steps += n_steps;
+}
+
+void RegisterPipeline::note_properties() {
+  const MechanicalProperties& found = registration_.properties();
+  output::Summary& summary = run_.summary();
+  summary.shear_modulus = found.tissue.shear_modulus;
+  summary.poisson_ratio = found.tissue.poisson_ratio;
+  summary.gland_ratio = found.tissue.gland_ratio;
   if (found.chest_stiffness > 0.)
-    summary_.chest_stiffness = found.chest_stiffness;
-  summary_.lambda =
+    summary.chest_stiffness = found.chest_stiffness;
+  summary.lambda =
       mechanics::lame_parameters(found.tissue.shear_modulus, found.tissue.poisson_ratio).lambda;
-  evaluate(summary_.tre.material);
 }
 
-void RegisterPipeline::push_with_image_forces() {
-  const registration::ImageForceResult result = method_->push_with_image_forces(observer());
-  *summary_.steps += result.n_steps;
-  summary_.converged = summary_.converged && result.converged;
-  evaluate(summary_.tre.image_forces);
-}
-
-registration::Observer RegisterPipeline::observer() {
-  return [this](const registration::SimilarityRecord& record) {
-    const registration::MechanicalProperties& properties = method_->properties();
-    output::ConvergenceEntry& entry = convergence_.emplace_back();
-    entry = {record.stage,
-             record.level,
-             record.iteration,
-             timer_.total(),
-             record.value,
-             properties.tissue.shear_modulus,
-             properties.tissue.poisson_ratio,
-             properties.tissue.gland_ratio,
-             properties.chest_stiffness,
-             record.force_weight,
-             {}};
-    if (!stages_.scene.landmarks.empty())
-      timer_.set_aside([&] { evaluate(entry.error); });
-    summary_.similarity.push_back({record.stage, record.level, record.iteration, record.value});
-  };
+void RegisterPipeline::observe(const registration::SimilarityRecord& record) {
+  const MechanicalProperties& properties = registration_.properties();
+  output::ConvergenceEntry& entry = convergence_.emplace_back();
+  entry.stage = record.stage;
+  entry.level_mm = record.level;
+  entry.iteration = record.iteration;
+  entry.seconds = run_.seconds();
+  entry.similarity = record.value;
+  entry.shear_modulus = properties.tissue.shear_modulus;
+  entry.poisson_ratio = properties.tissue.poisson_ratio;
+  entry.gland_ratio = properties.tissue.gland_ratio;
+  entry.chest_stiffness = properties.chest_stiffness;
+  entry.force_weight = record.force_weight;
+  if (!case_files_.landmarks().empty())
+    run_.set_aside([&] { evaluate(entry.error); });
+  run_.summary().similarity.push_back({record.stage, record.level, record.iteration, record.value});
 }
 
 void RegisterPipeline::evaluate(std::optional<evaluation::ErrorStatistics>& error) {
-  unloaded_ = method_->unloaded();
-  on_root(ranks_.world(), [&] { error = landmarks_.evaluate(unloaded_); });
+  found_ = registration_.result();
+  on_root(registration_.ranks().world(), [&] { error = landmarks_.evaluate(found_.meshes); });
 }
 
-void RegisterPipeline::record(const std::array<settling::SettlingResult, 2>& results) {
-  for (const auto& result : results) {
-    *summary_.steps += result.n_steps;
-    summary_.converged = summary_.converged && result.converged;
+void RegisterPipeline::write_on_root() {
+  const std::filesystem::path& folder = run_.folder();
+  output::Summary& summary = run_.summary();
+  for (const Position position : both_positions) {
+    summary.breasts[position] = output::summarize(found_.meshes[position]);
+    output::write_mesh(found_.meshes[position], folder, name_of(position));
   }
-  log_.line(describe("prone", results[prone]));
-  log_.line(describe("supine", results[supine]));
+  summary.inverse_consistency = evaluation::inverse_consistency(
+      found_.meshes.prone.mesh.points, evaluation::PointMapper(found_.meshes.prone),
+      evaluation::PointMapper(found_.meshes.supine));
+  if (!found_.converged)
+    summary.warnings.push_back("a simulation did not settle within 'Unloading/Maximum steps'");
+  landmarks_.write(folder / "landmarks.csv");
+  output::write_convergence(convergence_, folder / "convergence.csv");
+  if (results_.pictures)
+    output::write_convergence_picture(convergence_, folder / "convergence.svg");
 }
 
-void RegisterPipeline::add_mesh_summaries() {
-  for (const auto state : {prone, supine}) {
-    const mesh::MeshQuality quality = mesh::measure_quality(unloaded_[state].mesh);
-    const mesh::JacobianRange jacobian = mesh::jacobian_range(unloaded_[state]);
-    (state == prone ? summary_.prone : summary_.supine) = {
-        quality.n_cells, quality.n_nodes, quality.min_quality, jacobian.min, jacobian.max};
-  }
+void RegisterPipeline::write() {
+  run_.summary().converged = found_.converged;
+  const MPI_Comm world = registration_.ranks().world();
+  on_root(world, [&] { write_on_root(); });
+  const auto& originals = registration_.inputs().originals;
+  const PerPosition<image::ScalarImage> unloaded =
+      write_images(found_.meshes, originals, results_, run_.folder(), registration_.ranks());
+  if (results_.pictures)
+    on_root(world, [&] {
+      output::write_registration_slices({originals.prone.image, originals.supine.image,
+                                         originals.prone.breast, originals.supine.breast,
+                                         unloaded.prone, unloaded.supine},
+                                        run_.folder());
+    });
 }
 
-void RegisterPipeline::write(const std::filesystem::path& folder) {
-  on_root(ranks_.world(), [&] {
-    add_mesh_summaries();
-    summary_.inverse_consistency = evaluation::inverse_consistency(
-        unloaded_[prone].mesh.points, evaluation::PointMapper(unloaded_[prone]),
-        evaluation::PointMapper(unloaded_[supine]));
-    if (!summary_.converged)
-      summary_.warnings.push_back("a simulation did not settle within 'Unloading/Maximum steps'");
-    output::write_mesh(unloaded_[prone], folder, "prone");
-    output::write_mesh(unloaded_[supine], folder, "supine");
-    landmarks_.write(folder / "landmarks.csv");
-    output::write_convergence(convergence_, folder / "convergence.csv");
-    if (stages_.results.pictures)
-      output::write_convergence_picture(convergence_, folder / "convergence.svg");
-    write_parameters(parameters_, folder / "used.prm");
-  });
-  const std::array<image::ScalarImage, 2> unloaded_images =
-      write_images(unloaded_, inputs_.originals, stages_.results, folder, ranks_);
-  on_root(ranks_.world(), [&] {
-    const auto& [prone_image, supine_image] = inputs_.originals;
-    if (stages_.results.pictures)
-      output::write_registration_slices({prone_image.image, supine_image.image, prone_image.breast,
-                                         supine_image.breast, unloaded_images[prone],
-                                         unloaded_images[supine]},
-                                        folder);
-  });
+bool run_register(const AllParameters& parameters, const ParameterHandler& all,
+                  const std::filesystem::path& output, MPI_Comm world) {
+  return RegisterPipeline(parameters.case_files, parameters.registration, parameters.results, all,
+                          output, world)
+      .run();
 }
 
 } // namespace prosup::pipeline

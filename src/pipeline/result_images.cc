@@ -9,33 +9,29 @@
 #include "prosup/evaluation/point_mapper.h"
 #include "prosup/image/filters.h"
 #include "prosup/image/image_io.h"
+#include "prosup/mesh/transfer.h"
 #include "prosup/output/displacement_fields.h"
-#include "prosup/pipeline/body_building.h"
 #include "prosup/pipeline/unloaded_grid.h"
 
 namespace prosup::pipeline {
 
 using evaluation::PointMapper;
 using image::ScalarImage;
-using registration::State;
-using similarity::prone;
-using similarity::supine;
 
 namespace {
 
-/// The files of one state; returns its unloaded image.
-ScalarImage write_state(State state, const std::array<mesh::UnloadedMesh, 2>& unloaded,
-                        const ScalarImage& loaded, const image::VoxelGrid& unloaded_grid,
-                        const std::filesystem::path& folder) {
-  const State other = state == prone ? supine : prone;
-  const std::string name = similarity::state_names[state];
-  const PointMapper mapper(unloaded[state]), other_mapper(unloaded[other]);
+/// The files of one position; returns its unloaded image.
+ScalarImage write_position(Position position, const PerPosition<mesh::UnloadedMesh>& meshes,
+                           const ScalarImage& loaded, const image::VoxelGrid& unloaded_grid,
+                           const std::filesystem::path& folder) {
+  const std::string name = name_of(position), other_name = name_of(other(position));
+  const PointMapper mapper(meshes[position]), other_mapper(meshes[other(position)]);
   const image::VectorImage from_unloaded =
-      output::unloaded_to_loaded(unloaded_grid, unloaded[state], mapper);
+      output::unloaded_to_loaded(unloaded_grid, meshes[position], mapper);
   image::write_displacement(from_unloaded, folder / ("unloaded_to_" + name + ".nrrd"));
   image::write_displacement(
-      output::loaded_to_loaded(loaded.grid, unloaded[state], mapper, other_mapper),
-      folder / (name + "_to_" + similarity::state_names[other] + ".nrrd"));
+      output::loaded_to_loaded(loaded.grid, meshes[position], mapper, other_mapper),
+      folder / (name + "_to_" + other_name + ".nrrd"));
   return write_warped(loaded, from_unloaded, folder / (name + "_unloaded.nii.gz"));
 }
 
@@ -49,29 +45,29 @@ ScalarImage write_warped(const ScalarImage& original, const image::VectorImage& 
   return warped;
 }
 
-std::array<ScalarImage, 2> write_images(std::array<mesh::UnloadedMesh, 2>& unloaded,
-                                        const std::array<OriginalImage, 2>& originals,
-                                        const ResultParameters& parameters,
-                                        const std::filesystem::path& folder,
-                                        const registration::RankSplit& ranks) {
+PerPosition<ScalarImage> write_images(PerPosition<mesh::UnloadedMesh>& meshes,
+                                      const PerPosition<registration::OriginalImage>& originals,
+                                      const ResultParameters& parameters,
+                                      const std::filesystem::path& folder,
+                                      const registration::RankSplit& ranks) {
   const int rank = dealii::Utilities::MPI::this_mpi_process(ranks.world());
-  const int second = ranks.first_rank(supine);
+  const int second = ranks.first_rank(Position::supine);
   if (rank == 0 || rank == second)
-    for (mesh::UnloadedMesh& mesh : unloaded)
-      transfer_unloaded(mesh, 0, second, ranks.world());
-  std::array<ScalarImage, 2> images;
+    for (const Position position : both_positions)
+      mesh::transfer(meshes[position], 0, second, ranks.world());
+  PerPosition<ScalarImage> images;
   on_every_rank(ranks.world(), [&] {
-    for (const State state : {prone, supine})
-      if (rank == ranks.first_rank(state))
-        images[state] = write_state(state, unloaded, originals[state].image,
-                                    unloaded_grid({&unloaded[prone], &unloaded[supine]},
-                                                  parameters.voxel_edge, parameters.margin),
-                                    folder);
+    for (const Position position : both_positions)
+      if (rank == ranks.first_rank(position))
+        images[position] = write_position(position, meshes, originals[position].image,
+                                          unloaded_grid({&meshes.prone, &meshes.supine},
+                                                        parameters.voxel_edge, parameters.margin),
+                                          folder);
   });
   if (rank == 0 || rank == second)
-    transfer(images[supine].values, second, 0, ranks.world());
+    transfer(images.supine.values, second, 0, ranks.world());
   if (rank == 0)
-    images[supine].grid = images[prone].grid;
+    images.supine.grid = images.prone.grid;
   return images;
 }
 

@@ -1,47 +1,45 @@
-#ifndef PROSUP_PIPELINE_SINGLE_STATE_JOB_H
-#define PROSUP_PIPELINE_SINGLE_STATE_JOB_H
+#ifndef PROSUP_SRC_PIPELINE_SINGLE_STATE_JOB_H
+#define PROSUP_SRC_PIPELINE_SINGLE_STATE_JOB_H
 
 #include <memory>
 #include <optional>
 #include <string>
 
-#include "prosup/output/summary.h"
-#include "prosup/pipeline/body_building.h"
-#include "prosup/pipeline/commands.h"
+#include "prosup/pipeline/all_parameters.h"
 #include "prosup/pipeline/landmark_evaluation.h"
-#include "prosup/pipeline/stage_timer.h"
+#include "prosup/pipeline/result_run.h"
+#include "prosup/registration/quasi_static_breast.h"
 
 namespace prosup::pipeline {
 
-/// What unload and load share: one state from its labels to a mesh, a
-/// simulation, and a result folder; on all ranks of a communicator.
+/// What the commands load and unload share: one breast from its labels, or a mesh, to a simulation
+/// and a result folder. Collective on `world`.
 class SingleStateJob {
 public:
   virtual ~SingleStateJob() = default;
 
   /// @returns whether the simulation settled.
-  bool run(const dealii::ParameterHandler& parameters, const std::filesystem::path& output);
+  bool run();
 
 protected:
   /// `command` is its name and `simulation` what its main stage is called.
-  SingleStateJob(const Stages& stages, MPI_Comm world, std::string command, std::string simulation);
+  SingleStateJob(const AllParameters& parameters, const dealii::ParameterHandler& all,
+                 const std::filesystem::path& output, MPI_Comm world, const std::string& command,
+                 std::string simulation);
 
   /// Reads labels and image, on rank 0.
   virtual void read();
-  /// The mesh to start with, on rank 0.
-  virtual mesh::TetMesh make_mesh() { return stages_.mesher.mesh(labels_); }
-  /// Both configurations of the body (on rank 0) from the mesh.
-  virtual mesh::UnloadedMesh simulate(mesh::TetMesh mesh) = 0;
+  /// Where the mesh comes from; null: from the labels.
+  virtual const mesh::MeshSource* mesh_source() const { return nullptr; }
+  /// The other configuration by the chosen method.
+  virtual settling::SettlingResult settle(registration::Breast& breast) = 0;
+  /// The same by Newton's method.
+  virtual registration::QuasiStaticSolution solve(registration::ElementBreast& breast,
+                                                  const registration::QuasiStaticInput& input) = 0;
   /// Fields and images of `mesh_`, on rank 0.
   virtual void write_images(const std::filesystem::path& folder) const = 0;
-
   /// Distances of landmarks from their true unloaded positions, where known.
   virtual std::optional<evaluation::ErrorStatistics> error() const { return {}; }
-
-  enum class Direction { load, unload };
-  /// The other configuration of a body whose nodes stand where they do in the
-  /// mesh, by the chosen solver: loaded or unloaded positions, mm. Collective.
-  mechanics::NodeVector equilibrium(const mechanics::Body& body, Direction direction);
 
   /// Writes the field from the unloaded to the loaded configuration of a mesh.
   image::VectorImage write_field(const mesh::UnloadedMesh& mesh,
@@ -50,29 +48,24 @@ protected:
   std::optional<image::ScalarImage> write_warped(const image::VectorImage& field,
                                                  const std::filesystem::path& file) const;
 
-  const Stages& stages_;
-  const unsigned state_;
-  const std::string name_; ///< of the state
-  MPI_Comm world_;
-  const Log log_;
-  image::LabelImage labels_; ///< on rank 0
-  std::optional<OriginalImage> original_;
+  const AllParameters& parameters_;
+  const Position position_;
+  const std::string name_; ///< of the position
+  similarity::Scene scene_;
+  std::optional<registration::OriginalImage> original_; ///< on rank 0
   LandmarkEvaluation landmarks_;
-  mesh::UnloadedMesh mesh_;
-  unsigned n_steps_ = 0;
-  bool converged_ = false;
+  mesh::UnloadedMesh mesh_; ///< on rank 0
 
 private:
-  std::unique_ptr<mechanics::Supports> make_supports(const mechanics::Body& body);
-  mechanics::NodeVector settle(mechanics::Supports& supports, Direction direction);
-  mechanics::NodeVector solve(mechanics::Supports& supports, Direction direction);
-  mechanics::Material material(const mechanics::Body& body) const;
-  void write(const dealii::ParameterHandler& parameters, const std::filesystem::path& folder) const;
-  output::Summary summary(double memory) const;
+  void build();
+  void simulate();
+  void write();
+  std::string report() const;
 
-  const std::string command_, simulation_;
-  StageTimer timer_;
-  image::LabelImage other_labels_;
+  MPI_Comm world_;
+  const std::string simulation_;
+  ResultRun run_;
+  std::unique_ptr<registration::Breast> breast_;
 };
 
 } // namespace prosup::pipeline

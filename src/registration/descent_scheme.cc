@@ -17,7 +17,7 @@ public:
   explicit GaussNewton(const ImageEnergy& energy) : energy_(energy) {}
 
   bool needs_stiffness() const override { return true; }
-  StateVectors direction(const ImageEnergyPoint& point, double kappa) override {
+  PairVectors direction(const ImageEnergyPoint& point, double kappa) override {
     return energy_.solve(point.similarity.stiffness, 2. * kappa, point.descent(kappa));
   }
   double shortest_part() const override { return 0.05; }
@@ -30,7 +30,7 @@ class SteepestDescent : public DescentScheme {
 public:
   explicit SteepestDescent(const ImageEnergy& energy) : energy_(energy) {}
 
-  StateVectors direction(const ImageEnergyPoint& point, double kappa) override {
+  PairVectors direction(const ImageEnergyPoint& point, double kappa) override {
     return energy_.solve({}, 0., point.descent(kappa));
   }
   double first_length(double last) const override { return std::min(1., step_growth * last); }
@@ -44,18 +44,17 @@ class LimitedMemory : public DescentScheme {
 public:
   explicit LimitedMemory(const ImageEnergy& energy) : energy_(energy) {}
 
-  StateVectors direction(const ImageEnergyPoint& point, double kappa) override {
-    StateVectors q = point.descent(kappa);
+  PairVectors direction(const ImageEnergyPoint& point, double kappa) override {
+    PairVectors q = point.descent(kappa);
     struct Pair {
-      const StateVectors* way;
-      StateVectors change; // of the gradient
+      const PairVectors* way;
+      PairVectors change; // of the gradient
       double curvature, alpha;
     };
     std::vector<Pair> pairs;
     for (const Step& step : steps_) {
       Pair pair{&step.way, step.image, 0., 0.};
-      for (auto& part : pair.change)
-        part *= kappa;
+      scale(pair.change, kappa);
       add(pair.change, 1., step.elastic);
       pair.curvature = energy_.product(pair.change, step.way);
       if (pair.curvature > 0.)
@@ -65,13 +64,12 @@ public:
       pair->alpha = energy_.product(*pair->way, q) / pair->curvature;
       add(q, -pair->alpha, pair->change);
     }
-    double scale = 1.;
+    double length = 1.;
     if (!pairs.empty())
-      scale = pairs.back().curvature /
+      length = pairs.back().curvature /
               energy_.product(pairs.back().change, energy_.solve({}, 0., pairs.back().change));
-    StateVectors direction = energy_.solve({}, 0., q);
-    for (auto& part : direction)
-      part *= scale;
+    PairVectors direction = energy_.solve({}, 0., q);
+    scale(direction, length);
     for (const Pair& pair : pairs)
       add(direction, pair.alpha - energy_.product(pair.change, direction) / pair.curvature,
           *pair.way);
@@ -91,7 +89,7 @@ public:
 private:
   /// With the changes of both parts of the gradient, since kappa changes too.
   struct Step {
-    StateVectors way, image, elastic;
+    PairVectors way, image, elastic;
   };
 
   const ImageEnergy& energy_;

@@ -1,5 +1,5 @@
-#ifndef PROSUP_REGISTRATION_DESCENT_SCHEME_H
-#define PROSUP_REGISTRATION_DESCENT_SCHEME_H
+#ifndef PROSUP_SRC_REGISTRATION_DESCENT_SCHEME_H
+#define PROSUP_SRC_REGISTRATION_DESCENT_SCHEME_H
 
 #include <memory>
 #include <string>
@@ -16,7 +16,7 @@ public:
 
   /// Whether it uses the stiffness of the images.
   virtual bool needs_stiffness() const { return false; }
-  virtual StateVectors direction(const ImageEnergyPoint& point, double kappa) = 0;
+  virtual PairVectors direction(const ImageEnergyPoint& point, double kappa) = 0;
   /// Length of the first step tried along a direction, after one of `last`.
   virtual double first_length(double) const { return 1.; }
   /// Part of it below which a direction is given up.

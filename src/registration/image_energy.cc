@@ -7,18 +7,16 @@
 #include <utility>
 
 #include "prosup/mechanics/body/cell_edges.h"
+#include "prosup/registration/element_breast.h"
 
 namespace prosup::registration {
 
 using namespace dealii;
 using mechanics::cell_edges;
 using mechanics::NodeVector;
-using similarity::prone;
-using similarity::supine;
 
 namespace {
 
-constexpr std::array<State, 2> both{prone, supine};
 constexpr double linear_tolerance = 1e-2;
 
 /// Smallest J = det dx/dX of a cell; 0 if one is inverted.
@@ -34,86 +32,94 @@ double smallest_jacobian_of(const mechanics::Body& body, const NodeVector& unloa
 
 } // namespace
 
-void add(StateVectors& to, double factor, const StateVectors& what) {
-  for (const State s : both)
-    if (what[s].size() > 0)
-      to[s].add(factor, what[s]);
+void add(PairVectors& to, double factor, const PairVectors& what) {
+  for (const Position position : both_positions)
+    if (what[position].size() > 0)
+      to[position].add(factor, what[position]);
 }
 
-StateVectors ImageEnergyPoint::descent(double kappa) const {
-  StateVectors force = similarity.forces;
-  for (NodeVector& part : force)
-    part *= kappa;
+void scale(PairVectors& vectors, double factor) {
+  for (const Position position : both_positions)
+    vectors[position] *= factor;
+}
+
+PairVectors ImageEnergyPoint::descent(double kappa) const {
+  PairVectors force = similarity.forces;
+  scale(force, kappa);
   add(force, -1., elastic_force);
   return force;
 }
 
-ImageEnergy::ImageEnergy(BodyPair& pair, const SimilaritySetup& setup, double smallest_jacobian)
-    : pair_(pair), setup_(setup), smallest_jacobian_(smallest_jacobian) {
-  pair_.for_each([&](State which, BodyState& state) {
-    start_[which] = state.unloading->unloaded();
-    start_[which].update_ghost_values();
-    state.supports->contacts().put_on_surfaces(start_[which]);
-    metric_[which] =
-        std::make_unique<mechanics::ElasticMetric>(*state.supports, state.material, start_[which]);
+ImageEnergy::ImageEnergy(const BreastPair& pair, double smallest_jacobian)
+    : pair_(pair), smallest_jacobian_(smallest_jacobian) {
+  pair_.for_each([&](Position position, Breast& breast) {
+    ElementBreast& elements = *breast.elements();
+    start_[position] = elements.unloading().unloaded();
+    start_[position].update_ghost_values();
+    elements.supports().contacts().put_on_surfaces(start_[position]);
+    metric_[position] = std::make_unique<mechanics::ElasticMetric>(
+        elements.supports(), elements.material(), start_[position]);
   });
 }
 
-void ImageEnergy::set_level(const similarity::Scene& scene, double level) {
-  domain_ = setup_.domain(pair_, scene, level);
-  images_ = setup_.images(pair_, level);
+void ImageEnergy::compare_by(const Comparison& comparison) {
+  comparison_ = &comparison;
+  image_force_ =
+      std::make_unique<similarity::ImageForce>(comparison.metric(), pair_.ranks().world());
 }
 
-ImageEnergyPoint ImageEnergy::evaluate(StateVectors unloaded, bool with_stiffness) const {
+ImageEnergyPoint ImageEnergy::evaluate(PairVectors unloaded, bool with_stiffness) const {
   ImageEnergyPoint point;
   point.unloaded = std::move(unloaded);
-  std::array<similarity::LoadedState, 2> states = pair_.loaded_states(images_);
-  std::array<double, 2> energy{};
+  PerPosition<similarity::ImagedBody> bodies;
+  PerPosition<double> energy;
   double jacobian = std::numeric_limits<double>::max();
-  pair_.for_each([&](State which, BodyState& state) {
-    NodeVector& X = point.unloaded[which];
+  pair_.for_each([&](Position position, Breast& breast) {
+    ElementBreast& elements = *breast.elements();
+    NodeVector& X = point.unloaded[position];
     X.update_ghost_values();
-    state.supports->contacts().put_on_surfaces(X);
-    states[which].unloaded = &X;
-    jacobian = std::min(jacobian, smallest_jacobian_of(*state.body, X));
+    elements.supports().contacts().put_on_surfaces(X);
+    bodies[position] = {&elements.body(), &X, &comparison_->images()[position]};
+    jacobian = std::min(jacobian, smallest_jacobian_of(elements.body(), X));
     NodeVector way = X;
-    way -= start_[which];
-    NodeVector& force = point.elastic_force[which];
-    state.body->initialize(force);
-    metric_[which]->multiply(way, force);
-    energy[which] = 0.5 * (force * way);
+    way -= start_[position];
+    NodeVector& force = point.elastic_force[position];
+    elements.body().initialize(force);
+    metric_[position]->multiply(way, force);
+    energy[position] = 0.5 * (force * way);
   });
-  point.elastic_energy = sum_of_states(energy);
+  point.elastic_energy = sum_over_breasts(energy);
   point.is_allowed = Utilities::MPI::min(jacobian, pair_.ranks().world()) > smallest_jacobian_;
   if (point.is_allowed)
-    point.similarity =
-        setup_.force().evaluate(domain_, states, similarity::Variable::unloaded, with_stiffness);
+    point.similarity = image_force_->evaluate(comparison_->domain(), bodies,
+                                              similarity::Variable::unloaded, with_stiffness);
   return point;
 }
 
-StateVectors ImageEnergy::solve(const ImageStiffness& stiffness, double factor,
-                                const StateVectors& force) const {
-  StateVectors solution;
-  pair_.for_each([&](State which, BodyState&) {
-    metric_[which]->solve(stiffness[which], factor, force[which], linear_tolerance,
-                          solution[which]);
+PairVectors ImageEnergy::solve(const ImageStiffness& stiffness, double factor,
+                               const PairVectors& force) const {
+  PairVectors solution;
+  pair_.for_each([&](Position position, Breast&) {
+    metric_[position]->solve(stiffness[position], factor, force[position], linear_tolerance,
+                             solution[position]);
   });
   return solution;
 }
 
-double ImageEnergy::product(const StateVectors& a, const StateVectors& b) const {
-  std::array<double, 2> products{};
-  pair_.for_each([&](State which, BodyState&) { products[which] = a[which] * b[which]; });
-  return sum_of_states(products);
+double ImageEnergy::product(const PairVectors& a, const PairVectors& b) const {
+  PerPosition<double> products;
+  pair_.for_each(
+      [&](Position position, Breast&) { products[position] = a[position] * b[position]; });
+  return sum_over_breasts(products);
 }
 
-double ImageEnergy::sum_of_states(const std::array<double, 2>& values) const {
+double ImageEnergy::sum_over_breasts(const PerPosition<double>& values) const {
   const RankSplit& ranks = pair_.ranks();
   const int rank = Utilities::MPI::this_mpi_process(ranks.world());
   double sum = 0.;
-  for (const State s : both)
-    if (ranks.holds(s) && rank == ranks.first_rank(s))
-      sum += values[s];
+  for (const Position position : both_positions)
+    if (ranks.holds(position) && rank == ranks.first_rank(position))
+      sum += values[position];
   return Utilities::MPI::sum(sum, ranks.world());
 }
 

@@ -3,13 +3,10 @@
 #include "descent_scheme.h"
 #include "prosup/core/error.h"
 #include "prosup/core/parameters.h"
-#include "prosup/registration/simulated_bodies.h"
 
 namespace prosup::registration {
 
 using namespace dealii;
-using similarity::prone;
-using similarity::supine;
 
 namespace {
 
@@ -21,91 +18,93 @@ std::vector<std::string> scheme_names() {
   return names;
 }
 
-const std::vector<std::string> force_names{"exact", "transformed"};
+const std::vector<std::string> force_gradient_names{"exact", "transformed"};
+
+bool consists_of_elements(const BreastPair& pair) {
+  bool all = true;
+  pair.for_each([&](Position, Breast& breast) { all = all && breast.elements() != nullptr; });
+  return all;
+}
 
 } // namespace
 
 ImageForceRegistration::ImageForceRegistration()
-    : ParameterAcceptor("Image forces"), scheme_(scheme_names().front()),
-      force_(force_names.front()) {}
+    : ParameterAcceptor("Image forces"), scheme_(scheme_names().front()) {
+  accumulated_.force_gradient = force_gradient_names.front();
+}
 
 void ImageForceRegistration::declare_parameters(ParameterHandler& prm) {
   prm.add_parameter("Scheme", scheme_,
-                    "gauss-newton: steps with the stiffness of body and images. l-bfgs, "
-                    "steepest-descent: with that of the body alone, as starting point or "
-                    "throughout. accumulated: the paper's, forces added up in the running "
-                    "simulation (eq. 15).",
+                    "How the breasts are pushed together. gauss-newton: steps with the stiffness of "
+                    "breast and images. l-bfgs: starts from the stiffness of the breast alone. "
+                    "steepest-descent: keeps to that. accumulated: the paper's, forces added up in "
+                    "the running simulation (eq. 15); what fdm always takes.",
                     one_of(scheme_names()));
   prm.add_parameter("Levels", levels_,
-                    "Edges of the voxels of the similarity grid, from coarse to fine. Units: mm.",
+                    "Edges of the voxels on which the images are compared, from coarse to fine. "
+                    "Units: mm.",
                     Patterns::List(Patterns::Double(0.1, 50.), 0, 20));
   prm.add_parameter("Updates per level", updates_per_level_,
                     "Largest number of accepted updates on a level. Units: none.",
                     Patterns::Integer(0, 10000));
-  prm.add_parameter(
-      "Image weight", image_weight_,
-      "All but accumulated: w in kappa = w mu/sigma^2, the weight of the images against the "
-      "elasticity of the body; sigma^2 is the variance of their residual. Units: none.",
-      Patterns::Double(1e-9, 1e6));
-  prm.add_parameter(
-      "Smallest Jacobian", smallest_jacobian_,
-      "An update that brings any element below this J = det F is taken back. Units: none.",
-      Patterns::Double(0., 1.));
-  prm.add_parameter(
-      "Least gain", least_gain_,
-      "All but accumulated: a level ends with an update that lowers what is minimised by less "
-      "than this part of all that was gained on it. Units: none.",
-      Patterns::Double(0., 1.));
-  prm.add_parameter("Force", force_,
-                    "accumulated: the exact derivative by the displacement, with the gradient of "
-                    "the loaded image, or the paper's transformed one, F f with that of the "
-                    "unloaded image.",
-                    one_of(force_names));
-  prm.add_parameter("Time per update", time_per_update_,
-                    "accumulated: time that is simulated after each update, times the damping rate "
-                    "r/rho. Units: none.",
-                    Patterns::Double(1e-3, 1e4));
-  prm.add_parameter("Ramp fraction", ramp_fraction_,
-                    "accumulated: part of this time over which a new force rises to its value, "
-                    "s(t) of eq. 15. Units: none.",
-                    Patterns::Double(0., 1.));
-  prm.add_parameter(
-      "First weight", first_weight_,
-      "accumulated: first weight kappa over the shear modulus; adapts from there. Units: none "
-      "(images are scaled to [0, 1]).",
-      Patterns::Double(1e-9, 1e6));
-  prm.add_parameter("Momentum", momentum_,
-                    "accumulated: part of the last increment of the force that the next one keeps, "
-                    "so that soft directions, in which the residual hardly changes, go faster. "
+  prm.add_parameter("Weight", weight_,
+                    "w in kappa = w mu/sigma^2, the weight of the images against the elasticity of "
+                    "the breast; sigma^2 is the variance of the residual. Not for accumulated. "
                     "Units: none.",
-                    Patterns::Double(0., 0.99));
-  prm.add_parameter("Least fall", least_fall_,
-                    "accumulated: a level ends after three updates in a row that lower the "
-                    "similarity by less than this part. Units: none.",
+                    Patterns::Double(1e-9, 1e6));
+  prm.add_parameter("Smallest Jacobian", smallest_jacobian_,
+                    "An update that brings any element below this J = det F is taken back. "
+                    "Units: none.",
                     Patterns::Double(0., 1.));
+  prm.add_parameter("Least gain", least_gain_,
+                    "A level ends with an update that gains less than this part of all that was "
+                    "gained on the level. Not for accumulated. Units: none.",
+                    Patterns::Double(0., 1.));
+  prm.enter_subsection("Accumulated");
+  prm.add_parameter("Force gradient", accumulated_.force_gradient,
+                    "exact: the gradient of the loaded image, which gives the derivative by the "
+                    "displacement. transformed: the paper's F f, with the gradient of the unloaded "
+                    "image.",
+                    one_of(force_gradient_names));
+  prm.add_parameter("Time per update", accumulated_.time_per_update,
+                    "Simulated time after each update, times the damping rate r/rho. Units: none.",
+                    Patterns::Double(1e-3, 1e4));
+  prm.add_parameter("Ramp fraction", accumulated_.ramp_fraction,
+                    "Part of this time over which a new force rises to its value, s(t) of eq. 15. "
+                    "Units: none.",
+                    Patterns::Double(0., 1.));
+  prm.add_parameter("First weight", accumulated_.first_weight,
+                    "First weight kappa over the shear modulus; it adapts from there. Units: none "
+                    "(images are scaled to [0, 1]).",
+                    Patterns::Double(1e-9, 1e6));
+  prm.add_parameter("Momentum", accumulated_.momentum,
+                    "Part of the last increment of the force that is added again with the next, "
+                    "which speeds up directions in which the residual hardly changes. Units: none.",
+                    Patterns::Double(0., 0.99));
+  prm.add_parameter("Least gain", accumulated_.least_gain,
+                    "A level ends after three updates in a row that lower the dissimilarity by less "
+                    "than this part of it. Units: none.",
+                    Patterns::Double(0., 1.));
+  prm.leave_subsection();
 }
 
-ImageForceResult ImageForceRegistration::run(BodyPair& pair, const SimilaritySetup& setup,
-                                             const similarity::Scene& scene,
-                                             const mechanics::TissueMaterial& material,
+ImageForceResult ImageForceRegistration::run(BreastPair& pair, const ComparedImages& images,
                                              const Log& log, const Observer& observer) const {
-  if (scheme_ == accumulated) {
-    SimulatedBodies bodies(pair, setup, scene, material);
-    return accumulate(bodies, log, observer);
-  }
   ImageForceResult result;
-  run_descent(pair, setup, scene, log, observer, result);
-  settle([&] { return pair.unload(); }, log, result);
+  if (scheme_ == accumulated || !consists_of_elements(pair))
+    accumulate(pair, images, log, observer, result);
+  else
+    descend(pair, images, log, observer, result);
+  settle(pair, log, result);
   return result;
 }
 
-void ImageForceRegistration::settle(const Settle& unload, const Log& log,
-                                    ImageForceResult& result) {
+void ImageForceRegistration::settle(BreastPair& pair, const Log& log, ImageForceResult& result) {
   try {
-    const auto settled = unload();
-    result.n_steps += settled[prone].n_steps + settled[supine].n_steps;
-    result.converged = settled[prone].converged && settled[supine].converged;
-  } catch (const DivergenceError& error) { // which has restored the last good state
+    const auto settled = pair.unload();
+    result.n_steps += settled.prone.n_steps + settled.supine.n_steps;
+    result.converged = settled.prone.converged && settled.supine.converged;
+  } catch (const Error& error) { // the breast that diverged has restored its last good state
     log.line(std::string("  ") + error.what());
     result.converged = false;
   }

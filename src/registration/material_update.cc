@@ -40,10 +40,10 @@ void MaterialUpdate::declare_parameters(ParameterHandler& prm) {
                     "paper's steps of the shear modulus. none: the properties stay as given.",
                     one_of(method_names));
   prm.add_parameter(
-      "Compared", compared_,
-      "images: the images, with the metric of section Similarity. tissues: fat and gland as "
-      "labelled, by squared differences. automatic: the tissues if the metric is for images of "
-      "different contrast, else the images.",
+      "Compared quantity", compared_,
+      "images: the images, with the metric of section Similarity. tissues: fat and "
+      "gland as labelled, by squared differences. automatic: the tissues if the metric is for "
+      "images of different contrast, else the images.",
       one_of(compared_names));
   prm.add_parameter(
       "Properties", properties_,
@@ -70,17 +70,18 @@ void MaterialUpdate::declare_parameters(ParameterHandler& prm) {
       Patterns::Double(1.0001, 10.));
 }
 
-MaterialUpdateResult MaterialUpdate::run(SimulatedPair& pair, const similarity::Metric& metric,
+MaterialUpdateResult MaterialUpdate::run(BreastPair& pair, const ComparedImages& images,
                                          const Log& log, const Observer& observer) const {
   MaterialUpdateResult result;
   if (method_ == "none")
     return result;
-  const Compared compared =
-      compared_ == "images" || (compared_ == "automatic" && metric.needs_same_contrast())
-          ? Compared::images
-          : Compared::tissues;
+  const bool by_images = compared_ == "images" ||
+                         (compared_ == "automatic" && images.metric->needs_same_contrast());
   const auto trials_on = [&](double level) {
-    return PropertyTrials(pair, level, compared, log, observer, result);
+    return PropertyTrials(pair,
+                          Comparison(pair, images,
+                                     by_images ? Compared::images : Compared::tissues, level),
+                          log, observer, result);
   };
   if (method_ == "stepwise") {
     PropertyTrials trials = trials_on(levels_.back());

@@ -15,7 +15,7 @@ using namespace dealii;
 namespace {
 
 /// A property as a number q without bounds near it, and what is allowed of it.
-struct Variable {
+struct SearchedProperty {
   const char* name;
   double (*get)(const MechanicalProperties&);
   void (*set)(MechanicalProperties&, double q);
@@ -23,8 +23,8 @@ struct Variable {
   double low, high;  ///< of q
 };
 
-const std::vector<Variable>& variables() {
-  static const std::vector<Variable> all{
+const std::vector<SearchedProperty>& searched_properties() {
+  static const std::vector<SearchedProperty> all{
       {"shear modulus",
        [](const MechanicalProperties& p) { return std::log(p.tissue.shear_modulus); },
        [](MechanicalProperties& p, double q) { p.tissue.shear_modulus = std::exp(q); }, 0.1,
@@ -48,16 +48,16 @@ constexpr double longest_step = 0.7; // of a logarithm, a factor of two
 /// Steps of one search.
 class Search {
 public:
-  Search(std::vector<const Variable*> variables, PropertyTrials& trials)
-      : variables_(std::move(variables)), trials_(trials), residuals_(trials.residuals()) {}
+  Search(std::vector<const SearchedProperty*> searched, PropertyTrials& trials)
+      : searched_(std::move(searched)), trials_(trials), residuals_(trials.residuals()) {}
 
   bool is_exact() const { return is_exact_; }
 
   /// Derivatives by differences, one trial each.
   void linearize() {
-    derivatives_.assign(variables_.size(), std::vector<float>(residuals_.size(), 0.f));
-    for (unsigned i = 0; i < variables_.size(); ++i) {
-      const double difference = variables_[i]->difference;
+    derivatives_.assign(searched_.size(), std::vector<float>(residuals_.size(), 0.f));
+    for (unsigned i = 0; i < searched_.size(); ++i) {
+      const double difference = searched_[i]->difference;
       if (trials_.unload(moved(i, difference))) {
         derivatives_[i] = trials_.residuals();
         for (std::size_t v = 0; v < residuals_.size(); ++v)
@@ -77,8 +77,8 @@ public:
     trials_.accept(value);
     std::vector<double> way;
     double squared_length = 0.;
-    for (const Variable* variable : variables_) {
-      way.push_back(variable->get(trials_.best()) - variable->get(before));
+    for (const SearchedProperty* property : searched_) {
+      way.push_back(property->get(trials_.best()) - property->get(before));
       squared_length += way.back() * way.back();
     }
     const std::vector<float> residuals = trials_.residuals();
@@ -96,7 +96,7 @@ public:
 
   /// Where the damped step from the best state leads.
   MechanicalProperties step(double damping) const {
-    const unsigned n = variables_.size();
+    const unsigned n = searched_.size();
     FullMatrix<double> matrix(curvature_);
     double largest = 0.;
     for (unsigned i = 0; i < n; ++i)
@@ -111,10 +111,10 @@ public:
     inverse.vmult(change, slope_);
     MechanicalProperties properties = trials_.best();
     for (unsigned i = 0; i < n; ++i) {
-      const Variable& variable = *variables_[i];
+      const SearchedProperty& property = *searched_[i];
       const double q =
-          variable.get(properties) - std::clamp(change[i], -longest_step, longest_step);
-      variable.set(properties, std::clamp(q, variable.low, variable.high));
+          property.get(properties) - std::clamp(change[i], -longest_step, longest_step);
+      property.set(properties, std::clamp(q, property.low, property.high));
     }
     return properties;
   }
@@ -122,12 +122,12 @@ public:
 private:
   MechanicalProperties moved(unsigned i, double difference) const {
     MechanicalProperties properties = trials_.best();
-    variables_[i]->set(properties, variables_[i]->get(properties) + difference);
+    searched_[i]->set(properties, searched_[i]->get(properties) + difference);
     return properties;
   }
 
   void set_equations() {
-    const unsigned n = variables_.size();
+    const unsigned n = searched_.size();
     const auto product = [](const std::vector<float>& a, const std::vector<float>& b) {
       return std::inner_product(a.begin(), a.end(), b.begin(), 0.);
     };
@@ -140,7 +140,7 @@ private:
     }
   }
 
-  const std::vector<const Variable*> variables_;
+  const std::vector<const SearchedProperty*> searched_;
   PropertyTrials& trials_;
   std::vector<float> residuals_;                // of the best state
   std::vector<std::vector<float>> derivatives_; // of the residuals by each variable
@@ -154,8 +154,8 @@ private:
 const std::vector<std::string>& property_names() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> names;
-    for (const Variable& variable : variables())
-      names.emplace_back(variable.name);
+    for (const SearchedProperty& property : searched_properties())
+      names.emplace_back(property.name);
     return names;
   }();
   return names;
@@ -163,13 +163,13 @@ const std::vector<std::string>& property_names() {
 
 void search_properties(const std::vector<std::string>& names, PropertyTrials& trials,
                        unsigned max_steps, double least_gain, bool to_the_end) {
-  std::vector<const Variable*> chosen;
-  for (const Variable& variable : variables()) {
-    const std::string name = variable.name;
+  std::vector<const SearchedProperty*> chosen;
+  for (const SearchedProperty& property : searched_properties()) {
+    const std::string name = property.name;
     if (std::find(names.begin(), names.end(), name) != names.end() &&
         (name != "gland ratio" || trials.has_gland()) &&
         (name != "chest stiffness" || trials.best().chest_stiffness > 0.))
-      chosen.push_back(&variable);
+      chosen.push_back(&property);
   }
   if (chosen.empty())
     return;

@@ -1,5 +1,7 @@
 #include "property_trials.h"
 
+#include <utility>
+
 #include "prosup/core/error.h"
 
 namespace prosup::registration {
@@ -12,13 +14,12 @@ constexpr unsigned max_trial_steps = 3000;
 
 } // namespace
 
-PropertyTrials::PropertyTrials(SimulatedPair& pair, double level, Compared compared, const Log& log,
+PropertyTrials::PropertyTrials(BreastPair& pair, Comparison comparison, const Log& log,
                                const Observer& observer, MaterialUpdateResult& result)
-    : pair_(pair), level_(level), log_(log), observer_(observer), result_(result),
-      best_properties_(pair.properties()) {
-  pair_.compare_on(level, compared);
+    : pair_(pair), comparison_(std::move(comparison)), log_(log), observer_(observer),
+      result_(result), best_properties_(pair.properties()) {
   pair_.save();
-  best_value_ = pair_.value();
+  best_value_ = comparison_.value();
   report(best_value_);
 }
 
@@ -27,9 +28,9 @@ bool PropertyTrials::unload(const MechanicalProperties& properties) {
   try {
     pair_.set_properties(properties);
     const auto unloaded = pair_.unload(max_trial_steps);
-    result_.n_steps += unloaded[0].n_steps + unloaded[1].n_steps;
-    converged_ = unloaded[0].converged && unloaded[1].converged;
-    return unloaded[0].n_steps < max_trial_steps && unloaded[1].n_steps < max_trial_steps;
+    result_.n_steps += unloaded.prone.n_steps + unloaded.supine.n_steps;
+    converged_ = unloaded.prone.converged && unloaded.supine.converged;
+    return unloaded.prone.n_steps < max_trial_steps && unloaded.supine.n_steps < max_trial_steps;
   } catch (const Error& error) {
     log_.line(std::string("  trial rejected: ") + error.what());
     return false;
@@ -52,13 +53,13 @@ void PropertyTrials::return_to_best() {
 
 void PropertyTrials::report(double value) const {
   const mechanics::TissueStiffness& tissue = pair_.properties().tissue;
-  std::string text = format("  level %g mm: mu %.1f Pa, nu %.3f, gland x %.2f", level_,
+  std::string text = format("  level %g mm: mu %.1f Pa, nu %.3f, gland x %.2f", comparison_.level(),
                             tissue.shear_modulus, tissue.poisson_ratio, tissue.gland_ratio);
   if (pair_.properties().chest_stiffness > 0.)
     text += format(", chest %.2f Pa/mm", pair_.properties().chest_stiffness);
-  log_.line(text + format("; %s %.4g", pair_.metric().c_str(), value));
+  log_.line(text + format("; %s %.4g", comparison_.name().c_str(), value));
   if (observer_)
-    observer_({"material", level_, n_accepted_, 0., value});
+    observer_({"material", comparison_.level(), n_accepted_, 0., value});
 }
 
 } // namespace prosup::registration

@@ -7,12 +7,12 @@
 
 namespace prosup::registration {
 
-/// Unloads a pair with other mechanical properties, from the best state so far,
-/// and compares its images on one level.
+/// Unloads a pair with other mechanical properties, starting from the best state so far, and
+/// compares its breasts on one level.
 class PropertyTrials {
 public:
-  PropertyTrials(SimulatedPair& pair, double level, Compared compared, const Log& log,
-                 const Observer& observer, MaterialUpdateResult& result);
+  PropertyTrials(BreastPair& pair, Comparison comparison, const Log& log, const Observer& observer,
+                 MaterialUpdateResult& result);
 
   double best_value() const { return best_value_; }
   const MechanicalProperties& best() const { return best_properties_; }
@@ -20,8 +20,8 @@ public:
 
   /// Unloads with these properties; false if no state was found.
   bool unload(const MechanicalProperties& properties);
-  double value() const { return pair_.value(); }
-  std::vector<float> residuals() const { return pair_.residuals(); }
+  double value() const { return comparison_.value(); }
+  std::vector<float> residuals() const { return comparison_.residuals(); }
   /// Makes the present state the best one.
   void accept(double value);
   void return_to_best();
@@ -29,8 +29,8 @@ public:
 private:
   void report(double value) const;
 
-  SimulatedPair& pair_;
-  const double level_;
+  BreastPair& pair_;
+  const Comparison comparison_;
   const Log& log_;
   const Observer& observer_;
   MaterialUpdateResult& result_;

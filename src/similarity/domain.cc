@@ -1,7 +1,6 @@
 #include "prosup/similarity/domain.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "prosup/image/sampling.h"
 
@@ -44,30 +43,45 @@ bool beyond(const VoxelGrid& grid, const std::array<std::array<bool, 2>, 3>& fac
 
 } // namespace
 
-VoxelGrid common_unloaded_grid(const std::array<LoadedState, 2>& states, double spacing,
-                               double margin, MPI_Comm communicator) {
+void Box::include(const Point<3>& point) {
+  for (unsigned d = 0; d < 3; ++d) {
+    low[d] = std::min(low[d], point[d]);
+    high[d] = std::max(high[d], point[d]);
+  }
+}
+
+void Box::include(const Box& other) {
+  for (unsigned d = 0; d < 3; ++d) {
+    low[d] = std::min(low[d], other.low[d]);
+    high[d] = std::max(high[d], other.high[d]);
+  }
+}
+
+void Box::grow(double distance) {
+  for (unsigned d = 0; d < 3; ++d) {
+    low[d] -= distance;
+    high[d] += distance;
+  }
+}
+
+VoxelGrid common_grid(const Box& box, double spacing, double margin, MPI_Comm communicator) {
   // Lower ends as negative numbers, so that one maximum serves both.
   double ends[6];
-  std::fill(ends, ends + 6, -std::numeric_limits<double>::max());
-  for (const LoadedState& state : states)
-    if (state.body != nullptr)
-      for (unsigned node = 0; node < state.body->n_owned_nodes(); ++node)
-        for (unsigned d = 0; d < 3; ++d) {
-          const double x = state.unloaded->local_element(3 * node + d);
-          ends[d] = std::max(ends[d], -x);
-          ends[3 + d] = std::max(ends[3 + d], x);
-        }
+  for (unsigned d = 0; d < 3; ++d) {
+    ends[d] = -box.low[d];
+    ends[3 + d] = box.high[d];
+  }
   MPI_Allreduce(MPI_IN_PLACE, ends, 6, MPI_DOUBLE, MPI_MAX, communicator);
-
   return image::grid_around(Point<3>(-ends[0], -ends[1], -ends[2]),
                             Point<3>(ends[3], ends[4], ends[5]), spacing, margin);
 }
 
 SimilarityDomain similarity_domain(const VoxelGrid& grid, const Scene& scene, unsigned n_layers) {
   SimilarityDomain domain{grid, std::vector<bool>(grid.n_voxels()), n_layers, scene.air, nullptr};
-  if (!scene.excluded[0].values.empty() || !scene.excluded[1].values.empty())
+  if (!scene.excluded.prone.values.empty() || !scene.excluded.supine.values.empty())
     domain.excluded = &scene.excluded;
-  for (const LabelImage& labels : scene.labels) {
+  for (const Position position : both_positions) {
+    const LabelImage& labels = scene.labels[position];
     const auto faces = touched_faces(labels);
     std::size_t v = 0;
     for (std::size_t k = 0; k < grid.size[2]; ++k)

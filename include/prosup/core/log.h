@@ -16,6 +16,9 @@ public:
   Log() = default;
   explicit Log(MPI_Comm communicator);
 
+  /// Whether this rank prints anything.
+  bool speaks() const { return speaks_; }
+
   /// Prints `text` and a newline to standard output.
   void line(const std::string& text) const;
 

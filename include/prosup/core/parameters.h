@@ -21,6 +21,10 @@ using Override = std::string;
 void read_parameters(dealii::ParameterHandler& parameters, const std::filesystem::path& file,
                      const std::vector<Override>& overrides);
 
+/// The same with a handler of its own, for programs that need none.
+void read_parameters(const std::filesystem::path& file,
+                     const std::vector<Override>& overrides = {});
+
 /// Makes the file names in these entries of a section absolute: a name that is
 /// not is relative to `folder`; an empty one stays empty.
 void resolve_files(dealii::ParameterHandler& parameters, const std::string& section,

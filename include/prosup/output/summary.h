@@ -8,18 +8,23 @@
 #include <string>
 #include <vector>
 
+#include "prosup/core/position.h"
 #include "prosup/evaluation/target_registration_error.h"
+#include "prosup/mesh/tet_mesh.h"
 
 namespace prosup::output {
 
-/// Numbers of one breast state.
-struct StateSummary {
+/// Numbers of one breast.
+struct BreastSummary {
   std::size_t n_cells = 0;
   std::size_t n_nodes = 0;
   double min_quality = 0.;
   /// Smallest and largest J = det F of a cell.
   std::optional<double> min_jacobian, max_jacobian;
 };
+
+/// Numbers of a mesh, and of its deformation.
+BreastSummary summarize(const mesh::UnloadedMesh& mesh);
 
 /// One evaluation of the image similarity.
 struct SimilarityEntry {
@@ -29,7 +34,7 @@ struct SimilarityEntry {
   double value = 0.; ///< of the metric
 };
 
-/// How the supine chest was laid on the prone one.
+/// How the supine chest was aligned with the prone one.
 struct AlignmentSummary {
   std::string method;
   std::array<double, 3> translation;      ///< of the chest surface's centre, LPS, mm
@@ -43,7 +48,7 @@ struct AlignmentSummary {
 struct Summary {
   std::string command;
   unsigned ranks = 1;
-  std::optional<StateSummary> prone, supine;
+  PerPosition<std::optional<BreastSummary>> breasts;
   std::optional<AlignmentSummary> alignment;
   std::optional<std::size_t> steps;  ///< explicit time steps of all stages
   std::optional<std::string> metric; ///< of the similarity

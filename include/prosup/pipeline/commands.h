@@ -8,33 +8,38 @@
 #include <string>
 #include <vector>
 
-#include "prosup/pipeline/stages.h"
+#include "prosup/pipeline/all_parameters.h"
 
 namespace prosup::pipeline {
 
-/// `prosup mesh`: the mask of one state to a mesh with a quality report.
-void run_mesh(const Stages& stages, const dealii::ParameterHandler& parameters,
+// The commands that take a parameter file. Each is given the parameters and, for used.prm, the
+// handler that they came from, and returns whether its simulations settled or its runs succeeded.
+// Collective on `world`.
+
+/// `prosup register`: both images and masks to the registered unloaded pair.
+bool run_register(const AllParameters& parameters, const dealii::ParameterHandler& all,
+                  const std::filesystem::path& output, MPI_Comm world);
+
+/// `prosup mesh`: the mask of one position to a mesh, with a quality report.
+bool run_mesh(const AllParameters& parameters, const dealii::ParameterHandler& all,
               const std::filesystem::path& output, MPI_Comm world);
 
-/// `prosup unload`: one state to its unloaded configuration. Returns whether
-/// it settled.
-bool run_unload(const Stages& stages, const dealii::ParameterHandler& parameters,
+/// `prosup unload`: one breast to its unloaded configuration.
+bool run_unload(const AllParameters& parameters, const dealii::ParameterHandler& all,
                 const std::filesystem::path& output, MPI_Comm world);
 
-/// `prosup load`: one unloaded state to its loaded configuration. Returns
-/// whether it settled.
-bool run_load(const Stages& stages, const dealii::ParameterHandler& parameters,
+/// `prosup load`: one unloaded breast to its loaded configuration.
+bool run_load(const AllParameters& parameters, const dealii::ParameterHandler& all,
               const std::filesystem::path& output, MPI_Comm world);
 
 /// `prosup phantom`: images of a numerical phantom, with their truth.
-void run_phantom(const Stages& stages, const dealii::ParameterHandler& parameters,
+bool run_phantom(const AllParameters& parameters, const dealii::ParameterHandler& all,
                  const std::filesystem::path& output, MPI_Comm world);
 
-/// `prosup compare`: the runs of section Comparison, each as a process of its own, with
-/// tables and a picture that bear the name of the output folder. Returns whether they succeeded as
-/// far as is asked for. For one rank, without mpirun.
+/// `prosup compare`: the runs of section Comparison, each as a process of its own, with tables and
+/// a picture that bear the name of the output folder. For one rank, without mpirun.
 /// @throws Error if a peer is not installed, or if all runs fail (after writing).
-bool run_compare(const Stages& stages, const dealii::ParameterHandler& parameters,
+bool run_compare(const AllParameters& parameters, const dealii::ParameterHandler& all,
                  const std::filesystem::path& output, MPI_Comm world);
 
 /// What `prosup map` is asked for.

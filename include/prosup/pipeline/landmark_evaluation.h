@@ -1,7 +1,6 @@
 #ifndef PROSUP_PIPELINE_LANDMARK_EVALUATION_H
 #define PROSUP_PIPELINE_LANDMARK_EVALUATION_H
 
-#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -14,8 +13,8 @@
 
 namespace prosup::pipeline {
 
-/// Looks at a registration from outside: target registration errors of its
-/// stages. Nothing flows back from here. For one rank.
+/// Target registration errors of the stages of a registration, at landmarks that the registration
+/// does not know. For one rank.
 class LandmarkEvaluation {
 public:
   /// Reads the landmarks of a case; without a file there is nothing to evaluate.
@@ -27,11 +26,11 @@ public:
 
   /// Errors in the unloaded configuration, and the mapped landmarks.
   std::optional<evaluation::ErrorStatistics>
-  evaluate(const std::array<mesh::UnloadedMesh, 2>& meshes);
+  evaluate(const PerPosition<mesh::UnloadedMesh>& meshes);
 
-  /// Distances of the unloaded positions found from one state (0 prone, 1 supine)
-  /// from the true ones, where these are known.
-  std::optional<evaluation::ErrorStatistics> evaluate(unsigned state,
+  /// Distances of the unloaded positions found for one breast from the true ones, where these are
+  /// known.
+  std::optional<evaluation::ErrorStatistics> evaluate(Position position,
                                                       const mesh::UnloadedMesh& mesh) const;
 
   /// The landmarks of the last evaluation, as CSV.

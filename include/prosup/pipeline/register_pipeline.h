@@ -1,63 +1,58 @@
 #ifndef PROSUP_PIPELINE_REGISTER_PIPELINE_H
 #define PROSUP_PIPELINE_REGISTER_PIPELINE_H
 
-#include <deal.II/base/parameter_handler.h>
 #include <mpi.h>
 
-#include <array>
 #include <filesystem>
-#include <string>
+#include <optional>
 #include <vector>
 
-#include "prosup/core/log.h"
 #include "prosup/output/convergence.h"
-#include "prosup/output/summary.h"
+#include "prosup/pipeline/case_parameters.h"
 #include "prosup/pipeline/landmark_evaluation.h"
-#include "prosup/pipeline/registration_method.h"
-#include "prosup/pipeline/stage_timer.h"
-#include "prosup/pipeline/stages.h"
+#include "prosup/pipeline/result_parameters.h"
+#include "prosup/pipeline/result_run.h"
+#include "prosup/registration/registration.h"
 
 namespace prosup::pipeline {
 
-/// The main job: both images and masks to the registered unloaded pair. run()
-/// reads like the data flow; collective on `world`.
+/// `prosup register`: a Registration whose stages are timed, evaluated at landmarks and written to
+/// a result folder. run() reads like the data flow. Collective on `world`.
 class RegisterPipeline {
 public:
-  /// `stages` have their values from `parameters`, which go to used.prm.
-  RegisterPipeline(const Stages& stages, const dealii::ParameterHandler& parameters,
-                   MPI_Comm world);
+  /// Keeps references to all but the folder. `all` has the values of all parameters, for used.prm.
+  RegisterPipeline(const CaseParameters& case_files,
+                   const registration::RegistrationParameters& parameters,
+                   const ResultParameters& results, const dealii::ParameterHandler& all,
+                   const std::filesystem::path& output, MPI_Comm world);
 
-  /// @returns whether all simulations settled. The result folder is written
-  /// either way, and says so.
-  /// @throws Error if there is no result.
-  bool run(const std::filesystem::path& output);
+  /// @returns whether all simulations settled. The result folder is written either way, and says
+  /// so. @throws Error if there is no result.
+  bool run();
 
 private:
   void read();
   void align();
-  void build();
   void unload();
-  void update_material();
-  void push_with_image_forces();
-  void write(const std::filesystem::path& folder);
+  void match_properties();
+  void match_images();
+  void write();
 
-  /// Gathers the unloaded meshes and takes their error.
+  /// Takes the present meshes, and their error on rank 0.
   void evaluate(std::optional<evaluation::ErrorStatistics>& error);
-  void record(const std::array<settling::SettlingResult, 2>& results);
-  registration::Observer observer();
-  void add_mesh_summaries();
+  void note(unsigned n_steps);
+  void note_properties();
+  void observe(const registration::SimilarityRecord& record);
+  void write_on_root();
 
-  const Stages& stages_;
-  const dealii::ParameterHandler& parameters_;
-  const Log log_;
-  const registration::RankSplit ranks_;
-  StageTimer timer_;
-  const std::unique_ptr<RegistrationMethod> method_;
+  const CaseParameters& case_files_;
+  const ResultParameters& results_;
+  const bool aligns_;
+  ResultRun run_;
+  registration::Registration registration_;
   LandmarkEvaluation landmarks_;
-  Inputs inputs_;
-  std::array<mesh::UnloadedMesh, 2> unloaded_;
+  registration::RegistrationResult found_;
   std::vector<output::ConvergenceEntry> convergence_;
-  output::Summary summary_;
 };
 
 } // namespace prosup::pipeline

@@ -1,14 +1,13 @@
 #ifndef PROSUP_PIPELINE_RESULT_IMAGES_H
 #define PROSUP_PIPELINE_RESULT_IMAGES_H
 
-#include <array>
 #include <filesystem>
 
 #include "prosup/image/voxel_image.h"
 #include "prosup/mesh/tet_mesh.h"
-#include "prosup/pipeline/inputs.h"
 #include "prosup/pipeline/result_parameters.h"
-#include "prosup/registration/body_pair.h"
+#include "prosup/registration/inputs.h"
+#include "prosup/registration/rank_split.h"
 
 namespace prosup::pipeline {
 
@@ -17,15 +16,14 @@ namespace prosup::pipeline {
 image::ScalarImage write_warped(const image::ScalarImage& original, const image::VectorImage& field,
                                 const std::filesystem::path& file);
 
-/// Writes the four displacement fields and both unloaded images to `folder`,
-/// those of each state by the first rank that works on it, so that two ranks
-/// share the work. The meshes come from rank 0 and go to the other.
-/// Collective; returns the unloaded images on rank 0.
-std::array<image::ScalarImage, 2> write_images(std::array<mesh::UnloadedMesh, 2>& unloaded,
-                                               const std::array<OriginalImage, 2>& originals,
-                                               const ResultParameters& parameters,
-                                               const std::filesystem::path& folder,
-                                               const registration::RankSplit& ranks);
+/// Writes the four displacement fields and both unloaded images to `folder`, those of each position
+/// by the first rank that works on it, so that two ranks share the work. The meshes come from rank
+/// 0 and go to the other. Collective; returns the unloaded images on rank 0.
+PerPosition<image::ScalarImage>
+write_images(PerPosition<mesh::UnloadedMesh>& meshes,
+             const PerPosition<registration::OriginalImage>& originals,
+             const ResultParameters& parameters, const std::filesystem::path& folder,
+             const registration::RankSplit& ranks);
 
 } // namespace prosup::pipeline
 

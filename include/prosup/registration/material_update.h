@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "prosup/core/log.h"
-#include "prosup/registration/similarity_setup.h"
-#include "prosup/registration/simulated_pair.h"
+#include "prosup/registration/comparison.h"
 
 namespace prosup::registration {
 
@@ -18,8 +17,8 @@ struct MaterialUpdateResult {
   bool converged = true; ///< of the accepted state
 };
 
-/// Finds the mechanical properties with which the unloaded images are most
-/// alike. Section "Material update".
+/// Finds the mechanical properties with which the unloaded images are most alike, section
+/// "Material update".
 ///
 /// search: Gauss-Newton steps (Levenberg, Marquardt) in logarithms q of the chosen
 /// properties. With residuals r_v whose squares sum to twice the similarity, and
@@ -31,9 +30,8 @@ struct MaterialUpdateResult {
 /// the derivatives are corrected by what it changed (Broyden) and found anew only
 /// where steps gain too little.
 ///
-/// Images of different contrast are compared by their labelled tissues
-/// (SimilaritySetup::of_tissues()): residuals of mutual information and correlation
-/// say nothing about bodies that are far apart.
+/// Images of different contrast are compared by their labelled tissues (Compared::tissues):
+/// residuals of mutual information and correlation say nothing about breasts that are far apart.
 ///
 /// stepwise: the paper's. Multiplies the shear modulus (and with it lambda) by a
 /// constant factor, stiffer or softer, and goes on while the similarity improves;
@@ -43,10 +41,9 @@ public:
   MaterialUpdate();
   void declare_parameters(dealii::ParameterHandler& prm) override;
 
-  /// The pair has to be unloaded with its properties, and is left unloaded with
-  /// those that were found, `SimulatedPair::properties()`. `metric` is the one with which
-  /// the pair compares images.
-  MaterialUpdateResult run(SimulatedPair& pair, const similarity::Metric& metric, const Log& log,
+  /// The pair has to be unloaded with its properties, and is left unloaded with those that were
+  /// found, BreastPair::properties().
+  MaterialUpdateResult run(BreastPair& pair, const ComparedImages& images, const Log& log,
                            const Observer& observer = {}) const;
 
 private:

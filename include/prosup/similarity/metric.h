@@ -12,11 +12,6 @@
 
 namespace prosup::similarity {
 
-/// The two states of the body: indices into pairs of anything.
-enum State : unsigned { prone = 0, supine = 1 };
-
-inline constexpr const char* state_names[2] = {"prone", "supine"};
-
 /// Both images warped to one unloaded grid, P(X) prone and S(X) supine.
 struct WarpedPair {
   image::VoxelGrid grid;

@@ -18,8 +18,8 @@ Summary complete_summary() {
   Summary s;
   s.command = "register";
   s.ranks = 2;
-  s.prone = StateSummary{100, 30, 0.25, 0.5, 1.5};
-  s.supine = StateSummary{200, 60, 0.125, 0.75, 2.};
+  s.breasts.prone = BreastSummary{100, 30, 0.25, 0.5, 1.5};
+  s.breasts.supine = BreastSummary{200, 60, 0.125, 0.75, 2.};
   s.steps = 4000;
   s.similarity = {{"image_forces", 4., 7, 0.5}};
   s.shear_modulus = 325.;
@@ -109,7 +109,7 @@ TEST(Summary, LeavesOutWhatIsNotKnown) {
   const TemporaryFolder folder;
   Summary summary;
   summary.command = "mesh";
-  summary.prone = StateSummary{1, 4, 1., {}, {}};
+  summary.breasts.prone = BreastSummary{1, 4, 1., {}, {}};
   write_summary(summary, folder / "summary.json");
   const std::string text = contents(folder / "summary.json");
   for (const char* absent :
@@ -130,7 +130,7 @@ TEST(Summary, RefusesNumbersThatAreNotFinite) {
   summary.tre.initial->p95 = not_a_number;
   expect_refused(summary, "tre.initial.p95");
   summary = complete_summary();
-  summary.supine->min_jacobian = -std::numeric_limits<double>::infinity();
+  summary.breasts.supine->min_jacobian = -std::numeric_limits<double>::infinity();
   expect_refused(summary, "min_jacobian.supine");
   summary = complete_summary();
   summary.similarity.push_back({"material", 4., 1, not_a_number});

@@ -33,7 +33,7 @@ struct Sample {
     scene.labels = {prone_labels, supine_labels};
     image::ScalarImage moved = supine;
     moved.grid = elsewhere(moved.grid);
-    scene.labels[1].grid = moved.grid;
+    scene.labels.supine.grid = moved.grid;
     return method.run(prone, moved, scene);
   }
 };

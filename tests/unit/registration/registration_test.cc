@@ -6,11 +6,12 @@
 #include "loaded_box.h"
 #include "prosup/core/error.h"
 #include "prosup/mesh/scan_conversion.h"
-#include "prosup/registration/body_pair.h"
+#include "prosup/registration/breast_pair.h"
+#include "prosup/registration/comparison.h"
+#include "prosup/registration/element_breast.h"
 #include "prosup/registration/image_force_registration.h"
 #include "prosup/registration/material_update.h"
-#include "prosup/registration/similarity_setup.h"
-#include "prosup/registration/simulated_bodies.h"
+#include "prosup/similarity/similarity_parameters.h"
 
 namespace prosup::tests {
 namespace {
@@ -18,49 +19,57 @@ namespace {
 using namespace dealii;
 using namespace prosup::registration;
 using mechanics::node_value;
-using similarity::prone;
-using similarity::supine;
 
 constexpr double true_shear_modulus = 300.; // Pa
 const std::vector<unsigned> n_cells{5, 4, 5};
 const Point<3> size(45., 32., 45.);
-const Tensor<1, 3> gravity[2] = {Tensor<1, 3>({0., -1., 0.}), Tensor<1, 3>({0., 1., 0.})};
+const PerPosition<Tensor<1, 3>> gravity{Tensor<1, 3>({0., -1., 0.}), Tensor<1, 3>({0., 1., 0.})};
 
 float texture(const Point<3>& X) {
   return float(0.5 + 0.25 * std::sin(0.25 * X[0]) * std::cos(0.3 * X[1]) +
                0.25 * std::cos(0.22 * X[2] + 0.1 * X[1]));
 }
 
-/// The same textured block hanging and standing on its upper face, as images,
-/// with one body of each set up on the ranks of a split.
+/// The same textured block hanging and standing on its upper face, as images, with one breast of
+/// each on the ranks of a split.
 struct Scene {
   HangingBoxParameters parameters;
-  const Labels labels;
+  Labels labels;
   mechanics::TissueMaterial material{labels};
   similarity::SimilarityParameters similarity_parameters;
   RankSplit ranks{MPI_COMM_WORLD};
-  BodyPair pair{ranks};
+  PerPosition<image::ScalarImage> images;
   similarity::Scene surroundings;
+  std::unique_ptr<BreastPair> pair;
 
   Scene() {
     parameters.residual_tolerance = 1e-3;
     parameters.position_tolerance = 1e-2;
     const std::vector<mechanics::LameParameters> truth{
         mechanics::lame_parameters(true_shear_modulus, material.initial().poisson_ratio)};
-    std::vector<LoadedBox> loaded;
-    for (const unsigned s : {0u, 1u})
-      loaded.emplace_back(n_cells, size, truth, parameters, gravity[s]);
-    pair.for_each([&](State s, BodyState& state) {
-      const auto mesh = make_box(ranks.group(), n_cells, size, loaded[s]);
-      state.body = std::make_unique<mechanics::Body>(*mesh);
-      state.supports =
-          std::make_unique<mechanics::Supports>(*state.body, mechanics::BoundaryIds{3});
-      state.unloading =
-          std::make_unique<unloading::Unloading>(parameters, *state.supports, gravity[s]);
-      state.image = image_of(loaded[s]);
-    });
-    for (image::LabelImage& labels : surroundings.labels)
-      labels = image::LabelImage(grid(), 0);
+    PerPosition<std::unique_ptr<LoadedBox>> loaded;
+    for (const Position position : both_positions) {
+      loaded[position] =
+          std::make_unique<LoadedBox>(n_cells, size, truth, parameters, gravity[position]);
+      images[position] = image_of(*loaded[position]);
+      surroundings.labels[position] = image::LabelImage(grid(), 0);
+    }
+    pair = std::make_unique<BreastPair>(
+        ranks, MechanicalProperties{material.initial(), 0.},
+        [&](Position position, MPI_Comm group) {
+          const auto mesh = make_box(group, n_cells, size, *loaded[position]);
+          ElementBreast::Parts parts;
+          parts.body = std::make_unique<mechanics::Body>(*mesh);
+          parts.supports = std::make_unique<mechanics::Supports>(
+              *parts.body, mechanics::BoundaryIds{3});
+          parts.unloading = std::make_unique<unloading::Unloading>(parameters, *parts.supports,
+                                                                   gravity[position]);
+          return std::make_unique<ElementBreast>(position, std::move(parts), material);
+        });
+  }
+
+  ComparedImages compared() const {
+    return {images, surroundings, similarity_parameters.make_metric()};
   }
 
   static image::VoxelGrid grid() { return image::grid_around(Point<3>(), size, 1., 20.); }
@@ -79,20 +88,20 @@ struct Scene {
   }
 
   void unload(double shear_modulus, double poisson_ratio = 0.4) {
-    pair.set_properties(material, {{shear_modulus, poisson_ratio, 1.}, 0.});
-    for (const auto& result : pair.unload())
-      EXPECT_TRUE(result.converged);
+    pair->set_properties({{shear_modulus, poisson_ratio, 1.}, 0.});
+    const auto results = pair->unload();
+    EXPECT_TRUE(results.prone.converged && results.supine.converged);
   }
 
   /// Mean distance between the unloaded positions and the true block, mm.
   double error() {
     double sum = 0.;
     unsigned n = 0;
-    pair.for_each([&](State, BodyState& state) {
+    pair->for_each([&](Position, Breast& breast) {
       const auto mesh = make_box(ranks.group(), n_cells, size);
       const mechanics::Body block(*mesh); // the same topology has the same node numbers
       for (unsigned node = 0; node < block.n_owned_nodes(); ++node, ++n)
-        sum += (node_value(state.unloading->unloaded(), node) -
+        sum += (node_value(breast.elements()->unloading().unloaded(), node) -
                 node_value(block.vertex_positions(), node))
                    .norm();
     });
@@ -103,23 +112,71 @@ struct Scene {
 TEST(RankSplit, SharesTheRanks) {
   const RankSplit ranks(MPI_COMM_WORLD);
   const unsigned n = Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
-  for (const State state : {prone, supine})
-    EXPECT_EQ(Utilities::MPI::sum(ranks.holds(state) ? 1u : 0u, MPI_COMM_WORLD),
-              n == 1 ? 1u : (state == prone ? (n + 1) / 2 : n / 2));
+  for (const Position position : both_positions)
+    EXPECT_EQ(Utilities::MPI::sum(ranks.holds(position) ? 1u : 0u, MPI_COMM_WORLD),
+              n == 1 ? 1u : (position == Position::prone ? (n + 1) / 2 : n / 2));
   if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) ==
-      static_cast<unsigned>(ranks.first_rank(supine))) {
-    EXPECT_TRUE(ranks.holds(supine));
+      static_cast<unsigned>(ranks.first_rank(Position::supine))) {
+    EXPECT_TRUE(ranks.holds(Position::supine));
   }
 }
 
-TEST(BodyPair, AFailureOfOneStateIsTheFailureOfAll) {
-  const RankSplit ranks(MPI_COMM_WORLD);
-  BodyPair pair(ranks);
-  EXPECT_THROW(pair.for_each([](State state, BodyState&) {
-    if (state == supine)
+TEST(BreastPair, AFailureOfOneBreastIsTheFailureOfAll) {
+  Scene scene;
+  EXPECT_THROW(scene.pair->for_each([](Position position, Breast&) {
+    if (position == Position::supine)
       throw Error("only supine");
   }),
                Error);
+  EXPECT_THROW(
+      BreastPair(scene.ranks, {},
+                 [](Position, MPI_Comm) -> std::unique_ptr<Breast> { throw Error("no breast"); }),
+      Error);
+}
+
+TEST(BreastPair, ReturnsToTheStateThatWasKept) {
+  Scene scene;
+  scene.unload(true_shear_modulus);
+  const double error = scene.error();
+  EXPECT_LT(error, 0.1);
+  scene.pair->save();
+  scene.unload(2. * true_shear_modulus);
+  EXPECT_GT(scene.error(), 5. * error);
+  scene.pair->restore();
+  EXPECT_NEAR(scene.error(), error, 1e-9);
+}
+
+TEST(Comparison, ValueResidualsAndForcesBelongTogether) {
+  Scene scene;
+  scene.unload(1.4 * true_shear_modulus);
+  const Comparison comparison(*scene.pair, scene.compared(), Compared::images, 2.);
+  const double before = comparison.set_image_forces(similarity::Variable::displacement);
+  EXPECT_DOUBLE_EQ(before, comparison.value());
+  double squares = 0.;
+  for (const float residual : comparison.residuals())
+    squares += residual * residual;
+  EXPECT_NEAR(0.5 * squares, before, 1e-4 * before);
+  // Forces that act for a while bring the images together.
+  scene.pair->for_each([](Position, Breast& breast) { breast.add_image_forces(30., 0., 5.); });
+  scene.pair->advance(10.);
+  EXPECT_LT(comparison.value(), 0.95 * before);
+}
+
+TEST(Comparison, OfTissuesIgnoresTheImages) {
+  Scene scene;
+  for (image::LabelImage* labels :
+       {&scene.surroundings.labels.prone, &scene.surroundings.labels.supine})
+    std::fill(labels->values.begin(), labels->values.end(), 2);
+  scene.unload(true_shear_modulus);
+  const Comparison comparison(*scene.pair, scene.compared(), Compared::tissues, 4.);
+  EXPECT_EQ(comparison.name(), "ssd of tissues");
+  // Fat everywhere in the bodies: what differs is the voxels that only one of them holds.
+  const Comparison images(*scene.pair, scene.compared(), Compared::images, 4.);
+  EXPECT_NE(comparison.value(), images.value());
+  for (const Position position : both_positions)
+    if (scene.ranks.holds(position)) {
+      EXPECT_EQ(comparison.images()[position].values.front(), 0.5f);
+    }
 }
 
 template <typename Stage>
@@ -127,24 +184,29 @@ std::unique_ptr<Stage> configured(const std::vector<std::array<const char*, 2>>&
   auto stage = std::make_unique<Stage>();
   ParameterHandler prm;
   ParameterAcceptor::declare_all_parameters(prm);
-  prm.enter_subsection(stage->get_section_name());
-  for (const auto& [entry, value] : entries)
-    prm.set(entry, value);
-  prm.leave_subsection();
+  for (const auto& [entry, value] : entries) {
+    std::vector<std::string> path = Utilities::split_string_list(entry, '/');
+    path.insert(path.begin(), stage->get_section_name());
+    const std::string name = path.back();
+    path.pop_back();
+    for (const std::string& section : path)
+      prm.enter_subsection(section);
+    prm.set(name, std::string(value));
+    for (std::size_t i = 0; i < path.size(); ++i)
+      prm.leave_subsection();
+  }
   ParameterAcceptor::parse_all_parameters(prm);
   return stage;
 }
 
 TEST(MaterialUpdate, StepwiseFindsTheShearModulusFromEitherSide) {
   Scene scene;
-  const SimilaritySetup setup(scene.similarity_parameters, MPI_COMM_WORLD);
   const auto update = configured<MaterialUpdate>({{"Method", "stepwise"}, {"Levels", "2"}});
   for (const double factor : {1.1 * 1.1 * 1.1, 1. / (1.1 * 1.1)}) {
     scene.unload(factor * true_shear_modulus);
     const double before = scene.error();
-    SimulatedBodies bodies(scene.pair, setup, scene.surroundings, scene.material);
-    const auto result = update->run(bodies, setup.metric(), Log());
-    EXPECT_NEAR(scene.pair.properties().tissue.shear_modulus, true_shear_modulus,
+    const auto result = update->run(*scene.pair, scene.compared(), Log());
+    EXPECT_NEAR(scene.pair->properties().tissue.shear_modulus, true_shear_modulus,
                 0.051 * true_shear_modulus);
     EXPECT_TRUE(result.converged);
     EXPECT_LT(scene.error(), 0.2 * before);
@@ -153,14 +215,12 @@ TEST(MaterialUpdate, StepwiseFindsTheShearModulusFromEitherSide) {
 
 TEST(MaterialUpdate, SearchFindsBothElasticConstants) {
   Scene scene;
-  const SimilaritySetup setup(scene.similarity_parameters, MPI_COMM_WORLD);
   const auto update = configured<MaterialUpdate>({{"Levels", "4, 2"}});
   for (const double factor : {1.7, 0.75}) {
     scene.unload(factor * true_shear_modulus, 0.34);
     const double before = scene.error();
-    SimulatedBodies bodies(scene.pair, setup, scene.surroundings, scene.material);
-    const auto result = update->run(bodies, setup.metric(), Log());
-    const mechanics::TissueStiffness& found = scene.pair.properties().tissue;
+    const auto result = update->run(*scene.pair, scene.compared(), Log());
+    const mechanics::TissueStiffness& found = scene.pair->properties().tissue;
     EXPECT_NEAR(found.shear_modulus, true_shear_modulus, 0.03 * true_shear_modulus);
     EXPECT_NEAR(found.poisson_ratio, 0.4, 0.015);
     EXPECT_EQ(found.gland_ratio, 1.); // there is none
@@ -180,12 +240,11 @@ TEST(ImageForceRegistration, BringsBothStatesTogether) {
     Scene scene;
     scene.unload(1.4 * true_shear_modulus);
     const double before = scene.error();
-    const SimilaritySetup setup(scene.similarity_parameters, MPI_COMM_WORLD);
     const auto registration = configured<ImageForceRegistration>(
-        {{"Scheme", scheme}, {"Force", force}, {"Levels", "4, 2"}});
+        {{"Scheme", scheme}, {"Accumulated/Force gradient", force}, {"Levels", "4, 2"}});
     std::vector<double> values;
     const auto result =
-        registration->run(scene.pair, setup, scene.surroundings, scene.material, Log(),
+        registration->run(*scene.pair, scene.compared(), Log(),
                           [&](const SimilarityRecord& record) { values.push_back(record.value); });
     ASSERT_GT(result.n_updates, 2u);
     EXPECT_TRUE(result.converged);

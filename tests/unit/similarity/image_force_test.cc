@@ -15,9 +15,7 @@ namespace {
 using namespace dealii;
 using mechanics::node_value;
 using similarity::ImageForce;
-using similarity::prone;
 using similarity::SimilarityResult;
-using similarity::supine;
 
 std::shared_ptr<const similarity::Metric> ssd() {
   return std::make_shared<similarity::SumOfSquaredDifferences>();
@@ -43,14 +41,15 @@ Tensor<1, 3> direction_inside(const Point<3>& X) {
          std::sin(numbers::PI * X[2] / 56.) * direction(X);
 }
 
-double value_moved(unsigned state, double distance, unsigned n_layers) {
+double value_moved(Position position, double distance, unsigned n_layers) {
   const auto moved = [&](const TexturedPair::Map& map) {
     return [=](const Point<3>& X) { return map(X) + distance * direction(X); };
   };
-  const TexturedPair pair(state == prone ? moved(stretched) : TexturedPair::Map(stretched),
-                          state == supine ? moved(flattened) : TexturedPair::Map(flattened));
+  const TexturedPair pair(
+      position == Position::prone ? moved(stretched) : TexturedPair::Map(stretched),
+      position == Position::supine ? moved(flattened) : TexturedPair::Map(flattened));
   return ImageForce(ssd(), MPI_COMM_WORLD)
-      .evaluate(TexturedPair::domain(2., n_layers), pair.states())
+      .evaluate(TexturedPair::domain(2., n_layers), pair.imaged())
       .value;
 }
 
@@ -59,46 +58,50 @@ TEST(ImageForce, IsMinusTheDerivativeOfTheSsd) {
   for (const unsigned n_layers : {0u, 2u}) {
     const SimilarityResult result =
         ImageForce(ssd(), MPI_COMM_WORLD)
-            .evaluate(TexturedPair::domain(2., n_layers), pair.states());
-    for (const unsigned state : {0u, 1u}) {
+            .evaluate(TexturedPair::domain(2., n_layers), pair.imaged());
+    for (const Position position : both_positions) {
       double work = 0.;
-      for (unsigned node = 0; node < pair.bodies[state]->n_owned_nodes(); ++node)
-        work += node_value(result.forces[state], node) *
-                direction(Point<3>(node_value(pair.unloaded[state], node)));
+      for (unsigned node = 0; node < pair.bodies[position]->n_owned_nodes(); ++node)
+        work += node_value(result.forces[position], node) *
+                direction(Point<3>(node_value(pair.unloaded[position], node)));
       work = Utilities::MPI::sum(work, MPI_COMM_WORLD);
       const double step = 1e-3;
       const double slope =
-          (value_moved(state, step, n_layers) - value_moved(state, -step, n_layers)) / (2. * step);
-      EXPECT_NEAR(work, -slope, 2e-3 * std::abs(slope)) << "state " << state;
+          (value_moved(position, step, n_layers) - value_moved(position, -step, n_layers)) /
+          (2. * step);
+      EXPECT_NEAR(work, -slope, 2e-3 * std::abs(slope)) << name_of(position);
       EXPECT_GT(std::abs(slope), 1.);
     }
   }
 }
 
 TEST(ImageForce, ByUnloadedPositionsIsMinusTheDerivativeOfTheSsd) {
-  const auto value_moved_unloaded = [](unsigned state, double distance) {
+  const auto value_moved_unloaded = [](Position position, double distance) {
     TexturedPair pair(stretched, flattened);
-    for (unsigned node = 0; node < pair.bodies[state]->n_local_nodes(); ++node) {
-      const Tensor<1, 3> way = direction_inside(Point<3>(node_value(pair.unloaded[state], node)));
+    for (unsigned node = 0; node < pair.bodies[position]->n_local_nodes(); ++node) {
+      const Tensor<1, 3> way =
+          direction_inside(Point<3>(node_value(pair.unloaded[position], node)));
       for (unsigned c = 0; c < 3; ++c)
-        pair.unloaded[state].local_element(3 * node + c) += distance * way[c];
+        pair.unloaded[position].local_element(3 * node + c) += distance * way[c];
     }
-    return ImageForce(ssd(), MPI_COMM_WORLD).value(TexturedPair::domain(2., 0), pair.states());
+    return ImageForce(ssd(), MPI_COMM_WORLD)
+        .value(TexturedPair::domain(2., 0), pair.imaged());
   };
   const TexturedPair pair(stretched, flattened);
   const SimilarityResult result =
       ImageForce(ssd(), MPI_COMM_WORLD)
-          .evaluate(TexturedPair::domain(2., 0), pair.states(), similarity::Variable::unloaded);
-  for (const unsigned state : {0u, 1u}) {
+          .evaluate(TexturedPair::domain(2., 0), pair.imaged(), similarity::Variable::unloaded);
+  for (const Position position : both_positions) {
     double work = 0.;
-    for (unsigned node = 0; node < pair.bodies[state]->n_owned_nodes(); ++node)
-      work += node_value(result.forces[state], node) *
-              direction_inside(Point<3>(node_value(pair.unloaded[state], node)));
+    for (unsigned node = 0; node < pair.bodies[position]->n_owned_nodes(); ++node)
+      work += node_value(result.forces[position], node) *
+              direction_inside(Point<3>(node_value(pair.unloaded[position], node)));
     work = Utilities::MPI::sum(work, MPI_COMM_WORLD);
     const double step = 1e-3;
     const double slope =
-        (value_moved_unloaded(state, step) - value_moved_unloaded(state, -step)) / (2. * step);
-    EXPECT_NEAR(work, -slope, 0.02 * std::abs(slope)) << "state " << state;
+        (value_moved_unloaded(position, step) - value_moved_unloaded(position, -step)) /
+        (2. * step);
+    EXPECT_NEAR(work, -slope, 0.02 * std::abs(slope)) << name_of(position);
     EXPECT_GT(std::abs(slope), 1.);
   }
 }
@@ -109,24 +112,24 @@ TEST(ImageForce, StiffnessIsTheSquareOfTheGradients) {
   const auto domain = TexturedPair::domain(2., 0);
   const ImageForce force(ssd(), MPI_COMM_WORLD);
   const SimilarityResult result =
-      force.evaluate(domain, pair.states(), similarity::Variable::displacement, true);
+      force.evaluate(domain, pair.imaged(), similarity::Variable::displacement, true);
   const double step = 1e-3;
   const TexturedPair moved([=](const Point<3>& X) { return stretched(X) + step * direction(X); },
                            stretched);
-  const auto before = force.residuals(domain, pair.states()),
-             after = force.residuals(domain, moved.states());
+  const auto before = force.residuals(domain, pair.imaged()),
+             after = force.residuals(domain, moved.imaged());
   double expected = 0., found = 0.;
   for (std::size_t v = 0; v < before.size(); ++v)
     expected += std::pow((after[v] - before[v]) / step, 2);
-  for (std::size_t cell = 0; cell < result.stiffness[0].size(); ++cell) {
+  for (std::size_t cell = 0; cell < result.stiffness.prone.size(); ++cell) {
     unsigned entry = 0;
     for (unsigned a = 0; a < 4; ++a)
       for (unsigned b = a; b < 4; ++b, ++entry) {
         const auto way = [&](unsigned corner) {
           return direction(
-              Point<3>(node_value(pair.unloaded[0], pair.bodies[0]->cells()[cell][corner])));
+              Point<3>(node_value(pair.unloaded.prone, pair.bodies.prone->cells()[cell][corner])));
         };
-        found += (a == b ? 1. : 2.) * (way(a) * (result.stiffness[0][cell][entry] * way(b)));
+        found += (a == b ? 1. : 2.) * (way(a) * (result.stiffness.prone[cell][entry] * way(b)));
       }
   }
   EXPECT_NEAR(Utilities::MPI::sum(found, MPI_COMM_WORLD), expected, 0.01 * expected);
@@ -136,24 +139,25 @@ TEST(ImageForce, NodalForcesSumToTheVoxelForces) {
   const TexturedPair pair(stretched, flattened);
   const auto domain = TexturedPair::domain(2., 1);
   const ImageForce force(ssd(), MPI_COMM_WORLD);
-  const auto states = pair.states();
-  const SimilarityResult result = force.evaluate(domain, states);
-  const auto warped = force.warp(domain, states);
-  for (const unsigned s : {0u, 1u}) {
+  const auto bodies = pair.imaged();
+  const SimilarityResult result = force.evaluate(domain, bodies);
+  const auto warped = force.warp(domain, bodies);
+  for (const Position position : both_positions) {
     Tensor<1, 3> nodal, voxels;
-    for (unsigned node = 0; node < pair.bodies[s]->n_owned_nodes(); ++node)
-      nodal += node_value(result.forces[s], node);
-    const similarity::VoxelMap map(domain.grid, *pair.bodies[s], pair.unloaded[s], domain.n_layers);
-    mechanics::NodeVector u = pair.unloaded[s];
-    for (unsigned i = 0; i < 3 * pair.bodies[s]->n_local_nodes(); ++i)
-      u.local_element(i) =
-          pair.bodies[s]->vertex_positions().local_element(i) - pair.unloaded[s].local_element(i);
-    const image::Sampler sampler(pair.images[s]);
+    for (unsigned node = 0; node < pair.bodies[position]->n_owned_nodes(); ++node)
+      nodal += node_value(result.forces[position], node);
+    const similarity::VoxelMap map(domain.grid, *pair.bodies[position], pair.unloaded[position],
+                                   domain.n_layers);
+    mechanics::NodeVector u = pair.unloaded[position];
+    for (unsigned i = 0; i < 3 * pair.bodies[position]->n_local_nodes(); ++i)
+      u.local_element(i) = pair.bodies[position]->vertex_positions().local_element(i) -
+                           pair.unloaded[position].local_element(i);
+    const image::Sampler sampler(pair.images[position]);
     for (const auto& voxel : map.voxels()) {
       Tensor<1, 3> gradient;
       sampler.value_and_gradient(map.loaded_position(voxel, u), gradient);
-      const double difference = warped.values[both_positions[s]][voxel.index] -
-                                warped.values[both_positions[1 - s]][voxel.index];
+      const double difference =
+          warped.values[position][voxel.index] - warped.values[other(position)][voxel.index];
       if (warped.in_domain[voxel.index])
         voxels -= domain.grid.voxel_volume() * difference * gradient;
     }
@@ -168,43 +172,43 @@ TEST(ImageForce, ExcludedRegionsDoNotCount) {
   const TexturedPair pair(stretched, flattened);
   const ImageForce force(ssd(), MPI_COMM_WORLD);
   auto domain = TexturedPair::domain(2., 1);
-  const double all = force.value(domain, pair.states());
-  std::array<image::LabelImage, 2> excluded;
+  const double all = force.value(domain, pair.imaged());
+  PerPosition<image::LabelImage> excluded;
   domain.excluded = &excluded; // both empty: nothing is excluded
-  EXPECT_EQ(force.value(domain, pair.states()), all);
-  excluded[supine] = image::LabelImage(pair.images[supine].grid, 0);
-  for (std::size_t v = 0; v < excluded[supine].values.size() / 2; ++v)
-    excluded[supine].values[v] = 1;
-  const double part = force.value(domain, pair.states());
+  EXPECT_EQ(force.value(domain, pair.imaged()), all);
+  excluded.supine = image::LabelImage(pair.images.supine.grid, 0);
+  for (std::size_t v = 0; v < excluded.supine.values.size() / 2; ++v)
+    excluded.supine.values[v] = 1;
+  const double part = force.value(domain, pair.imaged());
   EXPECT_LT(part, 0.9 * all);
   EXPECT_GT(part, 0.1 * all);
-  excluded[prone] = image::LabelImage(pair.images[prone].grid, 1);
-  const SimilarityResult nothing = force.evaluate(domain, pair.states());
+  excluded.prone = image::LabelImage(pair.images.prone.grid, 1);
+  const SimilarityResult nothing = force.evaluate(domain, pair.imaged());
   EXPECT_EQ(nothing.value, 0.);
-  EXPECT_EQ(nothing.forces[prone].linfty_norm(), 0.);
+  EXPECT_EQ(nothing.forces.prone.linfty_norm(), 0.);
 }
 
 TEST(ImageForce, VanishesWhereTheImagesAgree) {
   TexturedPair pair(stretched, stretched);
-  pair.images[1] = pair.images[0];
-  const SimilarityResult result =
-      ImageForce(ssd(), MPI_COMM_WORLD).evaluate(TexturedPair::domain(2., 2), pair.states());
+  pair.images.supine = pair.images.prone;
+  const SimilarityResult result = ImageForce(ssd(), MPI_COMM_WORLD)
+                                      .evaluate(TexturedPair::domain(2., 2), pair.imaged());
   EXPECT_NEAR(result.value, 0., 1e-9);
-  EXPECT_NEAR(result.forces[0].linfty_norm(), 0., 1e-9);
-  EXPECT_NEAR(result.forces[1].linfty_norm(), 0., 1e-9);
+  EXPECT_NEAR(result.forces.prone.linfty_norm(), 0., 1e-9);
+  EXPECT_NEAR(result.forces.supine.linfty_norm(), 0., 1e-9);
 }
 
-TEST(ImageForce, SwappingTheStatesSwapsTheForces) {
+TEST(ImageForce, SwappingThePositionsSwapsTheForces) {
   TexturedPair pair(stretched, flattened), swapped(flattened, stretched);
-  std::swap(swapped.images[0], swapped.images[1]);
+  std::swap(swapped.images.prone, swapped.images.supine);
   const ImageForce force(ssd(), MPI_COMM_WORLD);
   const auto domain = TexturedPair::domain(2., 2);
-  const SimilarityResult a = force.evaluate(domain, pair.states());
-  const SimilarityResult b = force.evaluate(domain, swapped.states());
+  const SimilarityResult a = force.evaluate(domain, pair.imaged());
+  const SimilarityResult b = force.evaluate(domain, swapped.imaged());
   EXPECT_NEAR(a.value, b.value, 1e-9 * a.value);
-  for (unsigned i = 0; i < 3 * pair.bodies[0]->n_owned_nodes(); ++i) {
-    EXPECT_NEAR(a.forces[0].local_element(i), b.forces[1].local_element(i), 1e-6);
-    EXPECT_NEAR(a.forces[1].local_element(i), b.forces[0].local_element(i), 1e-6);
+  for (unsigned i = 0; i < 3 * pair.bodies.prone->n_owned_nodes(); ++i) {
+    EXPECT_NEAR(a.forces.prone.local_element(i), b.forces.supine.local_element(i), 1e-6);
+    EXPECT_NEAR(a.forces.supine.local_element(i), b.forces.prone.local_element(i), 1e-6);
   }
 }
 
@@ -212,7 +216,8 @@ TEST(Domain, ChestAndTouchedBordersAreNoAir) {
   similarity::Scene scene;
   image::VoxelGrid grid;
   grid.size = {10, 10, 10};
-  for (image::LabelImage& labels : scene.labels) {
+  for (image::LabelImage* image : {&scene.labels.prone, &scene.labels.supine}) {
+    image::LabelImage& labels = *image;
     labels = image::LabelImage(grid, 0);
     for (std::size_t i = 0; i < 10; ++i) // chest at low y touches the ends of x
       labels(i, 2, 5) = 1;

@@ -12,27 +12,26 @@ namespace prosup::tests {
 
 using dealii::Point;
 
-/// A box of 40 x 48 x 56 mm as unloaded body, deformed by given maps x(X) into
-/// two loaded states with images of a smooth texture each.
+/// A box of 40 x 48 x 56 mm as unloaded body, deformed by given maps x(X) into a prone and a supine
+/// body with images of a smooth texture each.
 class TexturedPair {
 public:
   using Map = std::function<Point<3>(const Point<3>&)>;
 
   TexturedPair(const Map& prone, const Map& supine) {
     const auto reference = box([](const Point<3>& X) { return X; });
-    const Map maps[2] = {prone, supine};
-    for (unsigned s = 0; s < 2; ++s) {
+    for (const Position position : both_positions) {
       // The same topology has the same node numbers.
-      unloaded[s] = reference->vertex_positions();
-      unloaded[s].update_ghost_values();
-      bodies[s] = box(maps[s]);
-      images[s] = texture(s);
+      unloaded[position] = reference->vertex_positions();
+      unloaded[position].update_ghost_values();
+      bodies[position] = box(position == Position::prone ? prone : supine);
+      images[position] = texture(position);
     }
   }
 
-  std::array<similarity::LoadedState, 2> states() const {
-    return {similarity::LoadedState{bodies[0].get(), &unloaded[0], &images[0]},
-            similarity::LoadedState{bodies[1].get(), &unloaded[1], &images[1]}};
+  PerPosition<similarity::ImagedBody> imaged() const {
+    return {{bodies.prone.get(), &unloaded.prone, &images.prone},
+            {bodies.supine.get(), &unloaded.supine, &images.supine}};
   }
 
   static similarity::SimilarityDomain domain(double spacing, unsigned n_layers) {
@@ -43,9 +42,9 @@ public:
     return domain;
   }
 
-  std::array<std::unique_ptr<mechanics::Body>, 2> bodies;
-  std::array<mechanics::NodeVector, 2> unloaded;
-  std::array<image::ScalarImage, 2> images;
+  PerPosition<std::unique_ptr<mechanics::Body>> bodies;
+  PerPosition<mechanics::NodeVector> unloaded;
+  PerPosition<image::ScalarImage> images;
 
 private:
   static std::unique_ptr<mechanics::Body> box(const Map& map) {
@@ -53,7 +52,8 @@ private:
     return std::make_unique<mechanics::Body>(*mesh);
   }
 
-  static image::ScalarImage texture(unsigned state) {
+  static image::ScalarImage texture(Position position) {
+    const double phase = position == Position::prone ? 0. : 0.4;
     image::VoxelGrid grid = image::grid_around(Point<3>(), Point<3>(40., 48., 56.), 1., 30.);
     // Off the planes of the mesh: there the interpolant has kinks.
     grid.origin += dealii::Tensor<1, 3>({0.31, 0.43, 0.27});
@@ -63,7 +63,7 @@ private:
         for (std::size_t i = 0; i < grid.size[0]; ++i, ++v) {
           const Point<3> x = grid.physical(double(i), double(j), double(k));
           image.values[v] =
-              float(0.5 + 0.3 * std::sin(0.15 * x[0] + 0.4 * state) * std::cos(0.12 * x[1]) +
+              float(0.5 + 0.3 * std::sin(0.15 * x[0] + phase) * std::cos(0.12 * x[1]) +
                     0.2 * std::sin(0.1 * x[2] - 0.05 * x[0]));
         }
     return image;

@@ -16,17 +16,17 @@ Point<3> sheared(const Point<3>& X) {
 }
 
 mechanics::NodeVector displacement_of(const TexturedPair& pair) {
-  mechanics::NodeVector u = pair.unloaded[0];
-  for (unsigned i = 0; i < 3 * pair.bodies[0]->n_local_nodes(); ++i)
+  mechanics::NodeVector u = pair.unloaded.prone;
+  for (unsigned i = 0; i < 3 * pair.bodies.prone->n_local_nodes(); ++i)
     u.local_element(i) =
-        pair.bodies[0]->vertex_positions().local_element(i) - pair.unloaded[0].local_element(i);
+        pair.bodies.prone->vertex_positions().local_element(i) - pair.unloaded.prone.local_element(i);
   return u;
 }
 
 TEST(VoxelMap, EveryVoxelOfTheBoxBelongsToOneRank) {
   const TexturedPair pair(sheared, sheared);
   const auto domain = TexturedPair::domain(1., 0);
-  const VoxelMap map(domain.grid, *pair.bodies[0], pair.unloaded[0], 0);
+  const VoxelMap map(domain.grid, *pair.bodies.prone, pair.unloaded.prone, 0);
   std::vector<int> owners(domain.grid.n_voxels(), 0);
   for (const auto& voxel : map.voxels()) {
     ++owners[voxel.index];
@@ -50,7 +50,7 @@ TEST(VoxelMap, EveryVoxelOfTheBoxBelongsToOneRank) {
 TEST(VoxelMap, FollowsAnAffineDeformationExactly) {
   const TexturedPair pair(sheared, sheared);
   const auto domain = TexturedPair::domain(2., 0);
-  const VoxelMap map(domain.grid, *pair.bodies[0], pair.unloaded[0], 0);
+  const VoxelMap map(domain.grid, *pair.bodies.prone, pair.unloaded.prone, 0);
   const mechanics::NodeVector u = displacement_of(pair);
   for (const auto& voxel : map.voxels()) {
     const auto& size = domain.grid.size;
@@ -65,7 +65,7 @@ TEST(VoxelMap, LayersSurroundTheMesh) {
   const TexturedPair pair(sheared, sheared);
   const auto domain = TexturedPair::domain(2., 0);
   const auto count = [&](unsigned n_layers) {
-    const VoxelMap map(domain.grid, *pair.bodies[0], pair.unloaded[0], n_layers);
+    const VoxelMap map(domain.grid, *pair.bodies.prone, pair.unloaded.prone, n_layers);
     unsigned n = 0;
     for (const auto& voxel : map.voxels()) {
       n += voxel.beyond_boundary;

@@ -1,0 +1,59 @@
+#ifndef PROSUP_PIPELINE_RESULT_RUN_H
+#define PROSUP_PIPELINE_RESULT_RUN_H
+
+#include <deal.II/base/parameter_handler.h>
+#include <mpi.h>
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "prosup/core/log.h"
+#include "prosup/core/result_folder.h"
+#include "prosup/output/summary.h"
+#include "prosup/pipeline/stage_timer.h"
+
+namespace prosup::pipeline {
+
+/// One run of a command that writes a result folder: the folder, the timed stages and the summary.
+/// The results are in place after finish(), and not before. Collective on `world`.
+class ResultRun {
+public:
+  /// Says what runs, and makes the temporary folder. `parameters` go to used.prm; keeps a
+  /// reference to them. @throws Error if the folder cannot be made.
+  ResultRun(const std::string& command, const dealii::ParameterHandler& parameters,
+            const std::filesystem::path& output, MPI_Comm world);
+
+  const Log& log() const { return log_; }
+  /// Where the files go until finish(); the same on all ranks.
+  const std::filesystem::path& folder() const { return folder_; }
+  /// What finish() writes to summary.json; only that of rank 0 counts.
+  output::Summary& summary() { return summary_; }
+
+  /// Announces, runs and times a stage.
+  void stage(const std::string& name, const std::function<void()>& work) { timer_.run(name, work); }
+  /// Runs what does not count as time of the run: its evaluation.
+  void set_aside(const std::function<void()>& work) { timer_.set_aside(work); }
+  /// Of the stages of that name, and of all, s.
+  double seconds(const std::string& name) const { return timer_.seconds(name); }
+  double seconds() const { return timer_.total(); }
+
+  /// Writes used.prm and summary.json, moves the results into place, and prints the times, the
+  /// `report` and the warnings. @returns Summary::converged.
+  bool finish(const std::string& report = "");
+
+private:
+  MPI_Comm world_;
+  const dealii::ParameterHandler& parameters_;
+  const std::filesystem::path output_;
+  const Log log_;
+  StageTimer timer_;
+  std::unique_ptr<ResultFolder> result_; // on rank 0
+  std::filesystem::path folder_;
+  output::Summary summary_;
+};
+
+} // namespace prosup::pipeline
+
+#endif

@@ -1,0 +1,101 @@
+#ifndef PROSUP_REGISTRATION_REGISTRATION_H
+#define PROSUP_REGISTRATION_REGISTRATION_H
+
+#include <mpi.h>
+
+#include <memory>
+#include <optional>
+
+#include "prosup/core/log.h"
+#include "prosup/registration/breast_model.h"
+#include "prosup/registration/breast_pair.h"
+#include "prosup/registration/image_force_registration.h"
+#include "prosup/registration/inputs.h"
+#include "prosup/registration/material_update.h"
+#include "prosup/registration/pre_alignment.h"
+#include "prosup/similarity/similarity_parameters.h"
+
+namespace prosup::registration {
+
+/// Everything that a registration can be told, section by section, with defaults. The values come
+/// from prosup::read_parameters().
+struct RegistrationParameters {
+  Labels labels;
+  InputReader images{labels};
+  PreAlignment pre_alignment;
+  BreastModel model{labels};
+  similarity::SimilarityParameters similarity;
+  MaterialUpdate material_update;
+  ImageForceRegistration image_forces;
+};
+
+/// What a registration has found.
+struct RegistrationResult {
+  /// Loaded and unloaded positions of both breasts on rank 0, empty elsewhere. Loaded positions are
+  /// in the coordinates of the original images, LPS mm; evaluation::PointMapper maps points with
+  /// them.
+  PerPosition<mesh::UnloadedMesh> meshes;
+  MechanicalProperties properties;
+  bool converged = false; ///< all simulations settled
+};
+
+/// Registers the prone and the supine image of one breast: read(), unload(), match_properties(),
+/// match_images() and result(), in this order; the two matches may be left out. Everything is
+/// collective on `world`, and throws on all of its ranks alike.
+class Registration {
+public:
+  /// Keeps a reference to the parameters. `log` is told of the progress.
+  explicit Registration(const RegistrationParameters& parameters, MPI_Comm world = MPI_COMM_WORLD,
+                        const Log& log = Log());
+
+  /// Replaces the metric that the parameters name.
+  void set_metric(std::shared_ptr<const similarity::Metric> metric) { metric_ = std::move(metric); }
+  /// Replaces the mesher; `mesher` has to live on.
+  void set_mesh_source(const mesh::MeshSource& mesher) { mesher_ = &mesher; }
+  /// Is told of each state that the registration goes on from.
+  void set_observer(Observer observer) { observer_ = std::move(observer); }
+
+  /// Reads images and labels. @throws Error for input that cannot be used.
+  void read(const CaseFiles& files);
+  /// Removes gravity from both breasts, with the properties that the parameters give.
+  /// @throws Error if a breast cannot be meshed, DivergenceError if one does not settle.
+  PerPosition<settling::SettlingResult> unload();
+  /// Searches the mechanical properties with which the unloaded breasts agree best.
+  MaterialUpdateResult match_properties();
+  /// Pushes the unloaded breasts together with image forces.
+  ImageForceResult match_images();
+  /// As it is now.
+  RegistrationResult result() const;
+
+  /// Two parts of unload(), which does what the host has not done yet, for instance to time it.
+  /// Lays the supine chest on the prone one if the parameters ask for it.
+  void align();
+  /// Meshes both breasts, or what else the numerical method starts with.
+  void build();
+
+  const RankSplit& ranks() const { return ranks_; }
+  const Inputs& inputs() const { return inputs_; }
+  /// What align() found, on rank 0.
+  const std::optional<Alignment>& alignment() const { return alignment_; }
+  const MechanicalProperties& properties() const { return pair_->properties(); }
+
+private:
+  ComparedImages compared() const;
+
+  const RegistrationParameters& parameters_;
+  const Log log_;
+  const RankSplit ranks_;
+  std::shared_ptr<const similarity::Metric> metric_;
+  const mesh::MeshSource* mesher_ = nullptr;
+  Observer observer_;
+  CaseFiles files_;
+  Inputs inputs_;
+  bool is_aligned_ = false;
+  std::optional<Alignment> alignment_;
+  std::unique_ptr<BreastPair> pair_;
+  bool converged_ = true;
+};
+
+} // namespace prosup::registration
+
+#endif

@@ -1,0 +1,197 @@
+#include "prosup/registration/inputs.h"
+
+#include <algorithm>
+
+#include "prosup/core/collective.h"
+#include "prosup/core/error.h"
+#include "prosup/core/parameters.h"
+#include "prosup/core/text.h"
+#include "prosup/image/broadcast.h"
+#include "prosup/image/contrast.h"
+#include "prosup/image/filters.h"
+#include "prosup/image/image_io.h"
+#include "prosup/similarity/similarity_parameters.h"
+
+namespace prosup::registration {
+
+using namespace dealii;
+using image::LabelImage;
+using image::ScalarImage;
+
+namespace {
+
+constexpr double largest_anisotropy = 1.05; // of voxels that are used as they are
+
+/// What can be done about images of different modalities.
+namespace contrast {
+constexpr const char* as_given = "as given";
+constexpr const char* prone_as_supine = "prone as supine";
+constexpr const char* supine_as_prone = "supine as prone";
+} // namespace contrast
+
+/// Median intensity of the voxels labelled air; the darkest one if there are none.
+float air_intensity(const ScalarImage& image, const LabelImage& labels) {
+  if (std::find(labels.values.begin(), labels.values.end(), 0) == labels.values.end())
+    return *std::min_element(image.values.begin(), image.values.end());
+  return image::median_intensity(image, labels, 0);
+}
+
+/// Moves what was read of the supine breast by the offset of the case.
+template <typename T>
+image::VoxelImage<T> placed(image::VoxelImage<T> image, const CaseFiles& files,
+                            Position position) {
+  if (position == Position::supine)
+    image.grid.origin += files.supine_offset;
+  return image;
+}
+
+} // namespace
+
+void Inputs::align_supine(const image::RigidTransform& to_prone) {
+  alignment = to_prone;
+  for (image::VoxelGrid* grid :
+       {&images.supine.grid, &scene.labels.supine.grid,
+        &scene.excluded.supine.grid})
+    *grid = to_prone(*grid);
+}
+
+InputReader::InputReader(const Labels& labels) : ParameterAcceptor("Images"), labels_(labels) {}
+
+void InputReader::declare_parameters(ParameterHandler& prm) {
+  prm.add_parameter(
+      "Voxel edge", voxel_edge_,
+      "Anisotropic images are resampled to cubic voxels of this edge, or of their own "
+      "shortest edge if that is longer. Units: mm.",
+      Patterns::Double(0.01, 100.));
+  prm.add_parameter("Low percentile", low_percentile_,
+                    "Intensity inside the breast that becomes 0. Units: percent.",
+                    Patterns::Double(0., 100.));
+  prm.add_parameter("High percentile", high_percentile_,
+                    "Intensity inside the breast that becomes 1. Units: percent.",
+                    Patterns::Double(0., 100.));
+  prm.add_parameter(
+      "Contrast", contrast_,
+      "Whether one image takes the contrast of the other, such as MR that of CT, so that they can "
+      "be compared by differences: its fat and gland, as labelled, get the other's intensities by "
+      "a linear map "
+      "(paper, Fig. 4).",
+      one_of({contrast::as_given, contrast::prone_as_supine, contrast::supine_as_prone}));
+}
+
+double InputReader::isotropic_edge(const image::VoxelGrid& grid) const {
+  const auto [shortest, longest] = std::minmax({grid.spacing[0], grid.spacing[1], grid.spacing[2]});
+  return longest <= largest_anisotropy * shortest ? 0. : std::max(voxel_edge_, shortest);
+}
+
+LabelImage InputReader::checked_labels(const CaseFiles& files, Position position) const {
+  const std::string& file = files.labels[position];
+  LabelImage labels = placed(image::read_labels(file), files, position);
+  if (std::all_of(labels.values.begin(), labels.values.end(),
+                  [](std::uint8_t label) { return label == 0; }))
+    throw Error("The label image '" + file +
+                "' is empty: all its voxels are 0; it has to mark the "
+                "chest wall, fat and gland.");
+  image::require_label(labels, labels_.chest, "the chest wall ('Labels/Chest')", file);
+  const LabelImage tissue = image::select_labels(labels, labels_.tissues);
+  if (std::none_of(tissue.values.begin(), tissue.values.end(), [](auto v) { return v != 0; }))
+    image::require_label(labels, labels_.tissues.front(), "breast tissue ('Labels/Tissues')", file);
+  return labels;
+}
+
+LabelImage InputReader::read_labels(const CaseFiles& files, Position position) const {
+  LabelImage labels = checked_labels(files, position);
+  const double edge = isotropic_edge(labels.grid);
+  return edge > 0. ? image::resample_isotropic(labels, edge) : labels;
+}
+
+OriginalImage InputReader::read_original(const CaseFiles& files, Position position,
+                                         const LabelImage& labels) const {
+  const std::string& file = files.images[position];
+  ScalarImage image = placed(image::read_image(file), files, position);
+  image::check_labels_fit(image, labels, file, files.labels[position]);
+  return {std::move(image), image::select_labels(labels, labels_.tissues)};
+}
+
+std::optional<OriginalImage> InputReader::read_image(const CaseFiles& files,
+                                                     Position position) const {
+  if (files.images[position].empty())
+    return {};
+  return read_original(files, position,
+                       placed(image::read_labels(files.labels[position]), files, position));
+}
+
+LabelImage InputReader::read_excluded(const CaseFiles& files, Position position,
+                                      const ScalarImage& image) const {
+  const std::string& file = files.excluded[position];
+  if (file.empty())
+    return {};
+  LabelImage mask = placed(image::read_labels(file), files, position);
+  image::check_labels_fit(image, mask, files.images[position], file);
+  for (std::uint8_t& value : mask.values)
+    value = value != 0;
+  const double edge = isotropic_edge(mask.grid);
+  return edge > 0. ? image::resample_isotropic(mask, edge) : mask;
+}
+
+void InputReader::prepare(const CaseFiles& files, Position position, Inputs& inputs) const {
+  LabelImage labels = checked_labels(files, position);
+  inputs.originals[position] = read_original(files, position, labels);
+  const auto& [original, breast] = inputs.originals[position];
+  const image::IntensityRange range =
+      image::robust_range(original, breast, low_percentile_, high_percentile_);
+  ScalarImage& scaled = inputs.images[position];
+  scaled = image::rescale(original, range);
+  const double edge = isotropic_edge(original.grid);
+  if (edge > 0.) {
+    scaled = image::resample_isotropic(scaled, edge);
+    labels = image::resample_isotropic(labels, edge);
+  }
+  inputs.scene.air[position] = air_intensity(scaled, labels);
+  inputs.scene.labels[position] = std::move(labels);
+  inputs.scene.excluded[position] = read_excluded(files, position, original);
+}
+
+void InputReader::convert_contrast(Inputs& inputs) const {
+  if (contrast_ == contrast::as_given)
+    return;
+  if (labels_.tissues.size() != 2 || labels_.gland == 0)
+    throw Error("'Images/Contrast = " + contrast_ +
+                "' needs the labels of fat and of gland, two 'Labels/Tissues' and 'Labels/Gland'; "
+                "give them, or set 'Similarity/Metric' to " +
+                joined(similarity::metric_names(true), " or ") + ", which needs none.");
+  PerPosition<image::TissueIntensities> tissue;
+  for (const Position position : both_positions) {
+    const auto median = [&](unsigned label) {
+      return image::median_intensity(inputs.images[position], inputs.scene.labels[position], label);
+    };
+    tissue[position] = {inputs.scene.air[position], median(labels_.fat()), median(labels_.gland)};
+  }
+  const Position changed =
+      contrast_ == contrast::prone_as_supine ? Position::prone : Position::supine;
+  inputs.images[changed] =
+      image::convert_contrast(inputs.images[changed], inputs.scene.labels[changed],
+                              tissue[changed], tissue[other(changed)]);
+  inputs.scene.air[changed] = inputs.scene.air[other(changed)];
+}
+
+Inputs InputReader::read_pair(const CaseFiles& files, MPI_Comm communicator) const {
+  Inputs inputs;
+  inputs.scene.chest_label = labels_.chest;
+  inputs.scene.gland_label = labels_.gland;
+  on_root(communicator, [&] {
+    for (const Position position : both_positions)
+      prepare(files, position, inputs);
+    convert_contrast(inputs);
+  });
+  for (const Position position : both_positions) {
+    image::broadcast(inputs.originals[position].image, communicator);
+    image::broadcast(inputs.images[position], communicator);
+    image::broadcast(inputs.scene.labels[position], communicator);
+    image::broadcast(inputs.scene.excluded[position], communicator);
+  }
+  for (float* air : {&inputs.scene.air.prone, &inputs.scene.air.supine})
+    MPI_Bcast(air, 1, MPI_FLOAT, 0, communicator);
+  return inputs;
+}
+
+} // namespace prosup::registration
