@@ -27,7 +27,7 @@ function(prosup_add_module name)
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
     PRIVATE ${PROJECT_SOURCE_DIR}/src)
-  target_link_libraries(${target} PUBLIC ${arg_USES} PRIVATE ${arg_PRIVATE_USES} $<BUILD_INTERFACE:prosup_warnings>)
+  target_link_libraries(${target} PUBLIC ${arg_USES} PRIVATE ${arg_PRIVATE_USES} $<BUILD_INTERFACE:prosup_options>)
   prosup_precompile(${target})
   target_link_options(${target} PRIVATE LINKER:--no-undefined LINKER:--as-needed)
   set_target_properties(${target} PROPERTIES
@@ -40,5 +40,7 @@ function(prosup_add_module name)
   set_property(GLOBAL APPEND PROPERTY PROSUP_ARROWS "${name}: ${used}")
   list(TRANSFORM arg_WINGS REPLACE "([a-z]+)" "${name}/\\1")
   set_property(GLOBAL APPEND PROPERTY PROSUP_ARROWS ${arg_WINGS})
-  install(TARGETS ${target} EXPORT prosupTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  if(PROSUP_INSTALL)
+    install(TARGETS ${target} EXPORT prosupTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  endif()
 endfunction()

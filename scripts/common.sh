@@ -22,3 +22,14 @@ n_compilers() {
   ((fitting >= 1)) || fitting=1
   echo $((cores < fitting ? cores : fitting))
 }
+
+# build_preset PRESET [TARGET...]: configures build/PRESET if need be, and builds there.
+build_preset() {
+  local preset=$1
+  shift
+  # Once configured, the build itself notices what else changed.
+  if [[ ! build/$preset/build.ninja -nt CMakePresets.json ]]; then
+    cmake --preset "$preset"
+  fi
+  cmake --build "build/$preset" --parallel "$(n_compilers)" ${1+--target "$@"}
+}

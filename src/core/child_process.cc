@@ -129,7 +129,7 @@ ChildResult run_child(const Command& command, const fs::path& log,
 fs::path find_program(const std::string& name) {
   std::istringstream folders(started_with("PATH"));
   for (std::string folder; std::getline(folders, folder, ':');)
-    if (const fs::path file = fs::path(folder) / name;
+    if (fs::path file = fs::path(folder) / name;
         access(file.c_str(), X_OK) == 0 && fs::is_regular_file(file))
       return file;
   return {};

@@ -51,7 +51,7 @@ struct ObserverDistance {
 class ObserverStudy {
 public:
   /// Uses the landmarks whose id all observers have.
-  /// @param exclude_above largest distance between two observers, mm
+  /// `exclude_above` is the largest distance between two observers, mm.
   /// @throws Error if there is no observer, or no landmark that all of them have.
   ObserverStudy(std::vector<Observer> observers, double exclude_above);
 
