@@ -11,17 +11,18 @@
 
 namespace prosup {
 
-/// Runs `work` on rank 0 of the communicator only. If it throws, every rank
-/// throws an Error with the same message, so that no rank waits for another.
+/// Runs `work` on rank 0 only. If it throws, all ranks throw an Error with the same message, so
+/// that no rank waits for another. Collective.
 void on_root(MPI_Comm communicator, const std::function<void()>& work);
 
-/// Runs `work` on every rank; if it throws on some, every rank throws an Error
-/// with the message of the first of them. `work` may communicate only within
-/// groups whose ranks all throw or all succeed.
+/// Runs `work` on every rank. If it throws on some ranks, all ranks throw an Error with the message
+/// of the lowest of them. `work` may communicate only within groups whose ranks either all throw or
+/// all succeed. Collective.
 void on_every_rank(MPI_Comm communicator, const std::function<void()>& work);
 
-/// Copies `values` from one rank to another; only these two have to call it.
-/// T is a plain type of numbers without pointers.
+/// Copies `values` from rank `from` to rank `to`. Only these two ranks have to call it. T is a
+/// trivially copyable type without pointers.
+/// @throws Error if the data exceed what one MPI message can hold.
 template <typename T>
 void transfer(std::vector<T>& values, int from, int to, MPI_Comm communicator) {
   if (from == to)

@@ -6,16 +6,15 @@
 
 namespace prosup {
 
-/// A mistake the user can mend. what() is one sentence: what is wrong, where,
-/// what is allowed and what to do. Thrown on all ranks of a communicator alike.
+/// An error that the user can correct. what() is one sentence: what is wrong, where, what is
+/// allowed and what to do. Collective functions throw it on all ranks of their communicator.
 class Error : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;
 };
 
-/// A simulation that left the region where its result means anything
-/// (J <= 0, not a number, growing energy) and could not be saved by smaller
-/// steps or a longer lag.
+/// A simulation has diverged (J <= 0, a value that is not finite, or growing energy), and smaller
+/// steps or a longer lag did not help.
 class DivergenceError : public Error {
 public:
   using Error::Error;

@@ -7,10 +7,9 @@
 
 namespace prosup {
 
-/// Progress for people: one permanent line per stage, and a live line that
-/// overwrites itself on a terminal and is silent elsewhere. Only rank 0 of the
-/// communicator speaks; a default-constructed Log never does, which is what a
-/// host program gets unless it asks for more.
+/// Progress messages: one permanent line per stage, and a live line that is overwritten in place on
+/// a terminal and not printed elsewhere. Only rank 0 of the communicator prints. A
+/// default-constructed Log prints nothing; it is the default for host programs.
 class Log {
 public:
   Log() = default;

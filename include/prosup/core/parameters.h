@@ -14,10 +14,10 @@ namespace prosup {
 /// One override from the command line: "Section/Subsection/Entry=value".
 using Override = std::string;
 
-/// Declares the parameters of all ParameterAcceptor objects alive, reads
-/// `file` (none if empty) strictly, applies the overrides in their order and
-/// gives every object its values.
-/// @throws Error that names the file, line, entry and what is allowed.
+/// Declares the parameters of all existing ParameterAcceptor objects, reads `file` (if not empty),
+/// applies the overrides in order, and passes the values to the objects. Unknown sections and
+/// entries are errors.
+/// @throws Error that names the file, the line, the entry and the allowed values.
 void read_parameters(dealii::ParameterHandler& parameters, const std::filesystem::path& file,
                      const std::vector<Override>& overrides);
 
@@ -25,8 +25,8 @@ void read_parameters(dealii::ParameterHandler& parameters, const std::filesystem
 void read_parameters(const std::filesystem::path& file,
                      const std::vector<Override>& overrides = {});
 
-/// Makes the file names in these entries of a section absolute: a name that is
-/// not is relative to `folder`; an empty one stays empty.
+/// Makes the file names in these entries of a section absolute. Relative names are relative to
+/// `folder`; empty ones stay empty.
 void resolve_files(dealii::ParameterHandler& parameters, const std::string& section,
                    const std::vector<std::string>& entries, const std::filesystem::path& folder);
 
@@ -34,10 +34,10 @@ void resolve_files(dealii::ParameterHandler& parameters, const std::string& sect
 void write_parameters(const dealii::ParameterHandler& parameters,
                       const std::filesystem::path& file);
 
-/// Pattern of a value that is one of `names`.
+/// Pattern for a value that must be one of `names`.
 dealii::Patterns::Selection one_of(const std::vector<std::string>& names);
 
-/// The enumerator whose place in its list of names is that of `name`.
+/// The enumerator at the position of `name` in the list of names.
 template <typename Enumerator>
 Enumerator enumerator(const std::string& name, const std::vector<std::string>& names) {
   return static_cast<Enumerator>(std::find(names.begin(), names.end(), name) - names.begin());

@@ -5,14 +5,13 @@
 
 namespace prosup {
 
-/// Writes results all or not at all. Files go to path(), a hidden temporary
-/// folder beside the target; commit() moves it to the target, replacing an
-/// earlier result of this program. Without commit() the destructor deletes it.
-/// For use on one rank.
+/// A result folder that is written completely or not at all. Files are written to path(), a hidden
+/// temporary folder beside the target. commit() moves it to the target and replaces an earlier
+/// result of this program. Without commit() the destructor deletes it. For use on one rank.
 class ResultFolder {
 public:
-  /// @throws Error if the target exists and is no earlier result (it has no
-  /// summary.json and is not empty), or if its parent cannot be written.
+  /// @throws Error if the target is not empty and has no summary.json, that is, if it is not an
+  /// earlier result, or if its parent folder cannot be written.
   explicit ResultFolder(const std::filesystem::path& target);
   ~ResultFolder();
   ResultFolder(const ResultFolder&) = delete;

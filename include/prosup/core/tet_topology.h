@@ -5,14 +5,14 @@
 
 namespace prosup {
 
-/// Edges of a tetrahedron by its corners, in deal.II's order. A quadratic
-/// tetrahedron has corners 0 to 3 and the node of edge e as node 4 + e.
+/// Corners of the edges of a tetrahedron, in deal.II's order. In a quadratic tetrahedron, nodes 0
+/// to 3 are the corners and node 4 + e is the midpoint of edge e.
 constexpr std::array<std::array<unsigned, 2>, 6> tet_edges{
     {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
 
-/// The eight linear tetrahedra between the ten nodes of a quadratic one: four
-/// at its corners, and four around the diagonal 4-9 of the octahedron left.
-/// They are positively oriented if the whole is.
+/// Nodes of the eight linear tetrahedra into which a quadratic one is divided: four at the corners,
+/// and four around the diagonal 4-9 of the octahedron that remains. They are positively oriented if
+/// the quadratic tetrahedron is.
 constexpr std::array<std::array<unsigned, 4>, 8> tet_children{{{0, 4, 6, 7},
                                                                {4, 1, 5, 8},
                                                                {6, 5, 2, 9},

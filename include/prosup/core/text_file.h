@@ -6,10 +6,11 @@
 
 namespace prosup {
 
-/// Writes `text` to `file`, replacing what was there. @throws Error if that fails.
+/// Writes `text` to `file` and replaces its contents.
+/// @throws Error if the file cannot be written.
 void write_text_file(const std::string& text, const std::filesystem::path& file);
 
-/// Throws the Error of a file that cannot be written.
+/// @throws Error always, with the message for a file that cannot be written.
 [[noreturn]] void throw_cannot_write(const std::filesystem::path& file);
 
 } // namespace prosup

@@ -6,7 +6,7 @@ namespace prosup {
 /// Version of the library, "major.minor.patch".
 const char* version();
 
-/// Version of the deal.II it was built with.
+/// Version of deal.II with which the library was built.
 const char* dealii_version();
 
 } // namespace prosup

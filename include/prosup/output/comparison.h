@@ -11,7 +11,7 @@
 
 namespace prosup::output {
 
-/// One run of a comparison; what is not known of it is not set.
+/// One run of a comparison. Quantities that are not known are not set.
 struct ComparisonRow {
   std::string group, name; ///< a group is one series of the plot
   unsigned ranks = 1;      ///< or threads of a program that has no ranks
@@ -28,16 +28,17 @@ struct ComparisonRow {
   std::optional<double> folded_fraction; ///< of the breast where that is not positive
 };
 
-/// What an axis of a plot may show: a name as in a parameter file, and as a label.
+/// A quantity that an axis of a plot can show: its name in parameter files and its label.
 struct ComparisonQuantity {
   const char *name, *label;
   std::optional<double> (*value)(const ComparisonRow&);
 };
 const std::vector<ComparisonQuantity>& comparison_quantities();
-/// @throws Error that lists the names there are.
+/// The quantity of that name.
+/// @throws Error that lists the names if there is none.
 const ComparisonQuantity& comparison_quantity(const std::string& name);
 
-/// What is compared, on which machine, with the outcome.
+/// A comparison: what was compared, on which machine, and the results.
 struct Comparison {
   std::string name, title;
   std::vector<std::pair<std::string, std::string>> machine; ///< of what, and which
@@ -55,10 +56,10 @@ void write_comparison(const Comparison& comparison, const std::filesystem::path&
 /// The table as Markdown.
 std::string comparison_table(const std::vector<ComparisonRow>& rows);
 
-/// How time and memory grow with cells and ranks, fitted to the rows of each group
-/// that has three meshes at least, with n thousand cells and r ranks: a n^b r^c for meshing
-/// and for solving, a + b n for the rest of the time, a r + b n for the memory. As
-/// Markdown; empty if no group has.
+/// Models of time and memory, fitted to the rows of each group with at least three meshes. With n
+/// thousand cells and r ranks they are a n^b r^c for the time of meshing and for that of solving, a
+/// + b n for the remaining time, and a r + b n for the memory. Markdown; empty if no group has
+/// three meshes.
 std::string cost_models(const std::vector<ComparisonRow>& rows);
 
 } // namespace prosup::output

@@ -10,7 +10,7 @@
 
 namespace prosup::output {
 
-/// A state along a registration.
+/// One evaluation during a registration.
 struct ConvergenceEntry {
   std::string stage;         ///< unloading, material or image_forces
   double level_mm = 0.;      ///< of the similarity grid
@@ -24,12 +24,14 @@ struct ConvergenceEntry {
   std::optional<evaluation::ErrorStatistics> error; ///< mm
 };
 
-/// One row per state. @throws Error if the file cannot be written.
+/// Writes one row per evaluation as CSV.
+/// @throws Error if the file cannot be written.
 void write_convergence(const std::vector<ConvergenceEntry>& entries,
                        const std::filesystem::path& file);
 
-/// The similarity of each level over its first value, and the error where it is
-/// known, over time (paper's Fig. 11), as SVG. @throws as above.
+/// Writes an SVG picture of the similarity, relative to the first value of its level, and of the
+/// error where it is known, against time (Fig. 11 of the paper).
+/// @throws Error if the file cannot be written.
 void write_convergence_picture(const std::vector<ConvergenceEntry>& entries,
                                const std::filesystem::path& file);
 

@@ -44,7 +44,7 @@ struct AlignmentSummary {
   std::optional<std::array<double, 2>> information; ///< mutual, before and after, nats
 };
 
-/// What `summary.json` holds of a run; what is not set is absent from it.
+/// The contents of `summary.json`. Entries that are not set are left out.
 struct Summary {
   std::string command;
   unsigned ranks = 1;
@@ -63,7 +63,7 @@ struct Summary {
     std::optional<evaluation::ErrorStatistics> initial, unloaded, material, image_forces;
   } tre;
 
-  /// From prone to supine and back, at the nodes of the prone mesh, mm.
+  /// Distance after mapping the nodes of the prone mesh to supine and back, mm.
   std::optional<evaluation::ErrorStatistics> inverse_consistency;
 
   struct Times { ///< s
@@ -76,13 +76,12 @@ struct Summary {
   std::vector<std::string> warnings;
 };
 
-/// Writes a summary, with the version of this library, as JSON.
-/// @throws Error that names the entry if a number is not finite, in which case
-/// there is no file, or if the file cannot be written.
+/// Writes a summary and the version of the library as JSON.
+/// @throws Error if the file cannot be written, or if a number is not finite; the message names the
+/// entry, and no file is written.
 void write_summary(const Summary& summary, const std::filesystem::path& file);
 
-/// The table of registration errors of a summary, rows in the order of the steps;
-/// empty without landmarks.
+/// The table of registration errors, one row per step; empty without landmarks.
 std::string error_table(const Summary& summary);
 
 } // namespace prosup::output

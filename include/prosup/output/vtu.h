@@ -22,8 +22,8 @@ namespace prosup::output {
 void write_mesh(const mesh::UnloadedMesh& mesh, const std::filesystem::path& folder,
                 const std::string& name);
 
-/// Reads back what write_mesh() wrote as `<name>_loaded.vtu`, in full precision.
-/// @throws Error if the file is missing, damaged or holds another kind of mesh.
+/// Reads a `<name>_loaded.vtu` that write_mesh() wrote, in full precision.
+/// @throws Error if the file is missing or damaged, or is not such a mesh.
 mesh::UnloadedMesh read_mesh(const std::filesystem::path& loaded_vtu);
 
 } // namespace prosup::output
