@@ -1,20 +1,19 @@
 # shellcheck shell=bash
-# Sourced by the other scripts: goes to the project's folder and gives what
-# more than one of them uses.
+# Sourced by the other scripts: changes to the project's folder and defines what several of them
+# use.
 cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit
 
-# Inside containers Open MPI may not read another process's memory; its other
-# way of passing messages on one machine works everywhere.
+# Inside containers Open MPI may be forbidden to read another process's memory. Its other way of
+# passing messages on one machine works everywhere.
 export OMPI_MCA_btl_vader_single_copy_mechanism=none
 
-# die SENTENCE: ends the script with one sentence on standard error.
+# die SENTENCE: prints one sentence to standard error and ends the script.
 die() {
   printf '%s\n' "$*" >&2
   exit 1
 }
 
-# Compilers that fit into the free memory at once: one file with deal.II's
-# headers takes up to 1.5 GiB.
+# How many compilers fit into the free memory: one file with deal.II's headers takes up to 1.5 GiB.
 n_compilers() {
   local cores fitting
   cores=$(nproc)
