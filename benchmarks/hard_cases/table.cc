@@ -8,8 +8,8 @@ namespace {
 
 const char* const about = R"(# Stability
 
-What the unloading does so that it neither surprises nor hangs, and the cases that
-it is tried on. The whole page is written by
+This page says what the unloading does when a simulation goes wrong, and lists the hard cases on
+which it is tested. The whole page is written by
 
     build/release/benchmarks/benchmark_hard_cases --write docs/stability.md
 
@@ -23,9 +23,9 @@ and the tests run the same cases on small meshes (`--small`); `--case NAME` runs
   damping time 1/(r/rho).
 - The **time step** is 0.9 of the critical one, measured by Lanczos' method on the
   deformed body every 20 corrections.
-- It has **settled** when the residual is below its part of the weight, max |x - u - X|
-  below its tolerance, and also the residual times the largest displacement: what
-  the forces that are left may still move.
+- It has **settled** when the residual is below its fraction of the weight, max |x - u - X| is below
+  its tolerance, and the residual times the largest displacement is below it too: this estimates how
+  far the remaining forces may still move the body.
 
 ## When it goes wrong
 
@@ -61,13 +61,12 @@ The finite differences share this policy (module `settling`), but for what
 
 ## Hard cases
 
-Bodies are label images of a breast on a cylindrical chest, meshed by the program, with
-averaged nodal pressure, fat of 357 Pa and nu = 0.45, prone, chest and cut planes
-held, and the default parameters, unless the case says otherwise. *Distance* is the
-largest over all nodes between the unloaded positions found and those of Newton's
-method on the same mesh (for two components, on the mesh of the larger); it has to
-be below 0.05 mm. Where there is no unloaded state, the parts of the weight found by
-both have to agree to 0.1.
+Bodies are label images of a breast on a cylindrical chest, meshed by the program. Unless the case
+says otherwise, they have averaged nodal pressure, fat of 357 Pa and nu = 0.45, prone gravity, chest
+and cut planes held, and default parameters. *Distance* is the largest distance over all nodes
+between the unloaded positions found and those of Newton's method on the same mesh (for two
+components, on the mesh of the larger one); it has to be below 0.05 mm. If there is no unloaded
+state, the fractions of the weight found by both methods have to agree to 0.1.
 )";
 
 } // namespace
