@@ -11,7 +11,7 @@ namespace prosup::evaluation {
 
 namespace {
 
-const Landmark* find(const Observer& observer, const std::string& id) {
+const Landmark* find(const LandmarkObserver& observer, const std::string& id) {
   const auto found = std::find_if(observer.landmarks.begin(), observer.landmarks.end(),
                                   [&](const Landmark& landmark) { return landmark.id == id; });
   return found == observer.landmarks.end() ? nullptr : &*found;
@@ -37,12 +37,13 @@ using Position = Point<3> Landmark::*;
 
 } // namespace
 
-Observer read_observer(const std::filesystem::path& file) {
+LandmarkObserver read_observer(const std::filesystem::path& file) {
   return {file.stem().string(), read_landmarks(file)};
 }
 
-Observer read_control_observer(const std::filesystem::path& file, const Observer& first) {
-  Observer control{file.stem().string(), {}};
+LandmarkObserver read_control_observer(const std::filesystem::path& file,
+                                       const LandmarkObserver& first) {
+  LandmarkObserver control{file.stem().string(), {}};
   for (const NamedPoint& point : read_supine_points(file)) {
     const Landmark* shown = find(first, point.id);
     if (shown == nullptr || find(control, point.id) != nullptr)
@@ -55,14 +56,14 @@ Observer read_control_observer(const std::filesystem::path& file, const Observer
   return control;
 }
 
-ObserverStudy::ObserverStudy(std::vector<Observer> observers, double exclude_above) {
+ObserverStudy::ObserverStudy(std::vector<LandmarkObserver> observers, double exclude_above) {
   if (observers.empty())
     throw Error("No observer is given; name at least one file of landmarks.");
   std::map<std::string, std::size_t> n_seen;
-  for (const Observer& observer : observers)
+  for (const LandmarkObserver& observer : observers)
     for (const Landmark& landmark : observer.landmarks)
       ++n_seen[landmark.id];
-  for (const Observer& observer : observers)
+  for (const LandmarkObserver& observer : observers)
     common_.push_back({observer.name, {}});
   for (const Landmark& landmark : observers[0].landmarks)
     if (n_seen[landmark.id] == observers.size())
@@ -75,8 +76,8 @@ ObserverStudy::ObserverStudy(std::vector<Observer> observers, double exclude_abo
 
   for (std::size_t l = 0; l < n_landmarks(); ++l) {
     double largest = 0.;
-    for (const Observer& a : common_)
-      for (const Observer& b : common_)
+    for (const LandmarkObserver& a : common_)
+      for (const LandmarkObserver& b : common_)
         for (const Position position : {&Landmark::prone, &Landmark::supine})
           largest =
               std::max(largest, (a.landmarks[l].*position).distance(b.landmarks[l].*position));
@@ -86,7 +87,8 @@ ObserverStudy::ObserverStudy(std::vector<Observer> observers, double exclude_abo
   }
 }
 
-std::vector<Landmark> ObserverStudy::select(const Observer& observer, Selection selection) const {
+std::vector<Landmark> ObserverStudy::select(const LandmarkObserver& observer,
+                                            Selection selection) const {
   std::vector<Landmark> selected;
   for (std::size_t l = 0; l < n_landmarks(); ++l)
     if (selection == Selection::all || reliable_[l])
@@ -94,13 +96,13 @@ std::vector<Landmark> ObserverStudy::select(const Observer& observer, Selection 
   return selected;
 }
 
-Observer ObserverStudy::mean_observer() const {
-  Observer mean{"mean position", common_[0].landmarks};
+LandmarkObserver ObserverStudy::mean_observer() const {
+  LandmarkObserver mean{"mean position", common_[0].landmarks};
   const auto n = double(common_.size());
   for (std::size_t l = 0; l < n_landmarks(); ++l)
     for (const Position position : {&Landmark::prone, &Landmark::supine}) {
       dealii::Tensor<1, 3> sum;
-      for (const Observer& observer : common_)
+      for (const LandmarkObserver& observer : common_)
         sum += observer.landmarks[l].*position - Point<3>();
       mean.landmarks[l].*position = Point<3>(sum / n);
     }
@@ -109,7 +111,8 @@ Observer ObserverStudy::mean_observer() const {
 
 std::vector<ObserverDistance> ObserverStudy::distances() const {
   std::vector<ObserverDistance> result;
-  const auto add = [&](const Observer& a, const Observer& b, const char* state, Position position) {
+  const auto add = [&](const LandmarkObserver& a, const LandmarkObserver& b, const char* state,
+                       Position position) {
     std::vector<double> all, reliable;
     for (std::size_t l = 0; l < n_landmarks(); ++l) {
       all.push_back((a.landmarks[l].*position).distance(b.landmarks[l].*position));
@@ -140,12 +143,12 @@ std::vector<ObserverRow> ObserverStudy::rows(const PointMapper& prone,
     }
     result.push_back(std::move(row));
   };
-  for (const Observer& observer : common_)
+  for (const LandmarkObserver& observer : common_)
     add(observer.name, Selection::all, observer.landmarks);
   if (common_.size() == 1)
     return result;
   std::vector<Landmark> together;
-  for (const Observer& observer : common_) {
+  for (const LandmarkObserver& observer : common_) {
     const std::vector<Landmark> reliable = select(observer, Selection::reliable);
     add(observer.name, Selection::reliable, reliable);
     together.insert(together.end(), reliable.begin(), reliable.end());

@@ -10,8 +10,8 @@ using namespace evaluation;
 
 namespace {
 
-std::vector<Observer> read_observers(const LandmarkRequest& request) {
-  std::vector<Observer> observers;
+std::vector<LandmarkObserver> read_observers(const LandmarkRequest& request) {
+  std::vector<LandmarkObserver> observers;
   for (const std::filesystem::path& file : request.observers)
     observers.push_back(read_observer(file));
   if (!request.control.empty())

@@ -43,7 +43,8 @@ TEST_F(Parameters, UnknownChoiceIsAnsweredWithTheList) {
   expect_refused(registering({"--chest", "glued"}), {"Chest=glued", "fixed"});
   expect_refused(registering({"--similarity", "psychic"}), {"Metric=psychic", "ssd"});
   expect_refused(registering({"--method", "magic"}), {"Method=magic", "fe"});
-  expect_refused(registering({"--state", "asleep"}), {"State=asleep", "prone", "supine"});
+  expect_refused({"unload", "--state", "asleep", "--output", output()},
+                 {"State=asleep", "prone", "supine"});
   expect_refused(registering({"--set", "Unloading/Correction scheme=none"}),
                  {"Correction scheme=none", "relaxed", "full"});
   expect_refused(registering({"--set", "Unloading/Lag factor=0"}), {"Lag factor=0"});

@@ -86,6 +86,10 @@ TEST_F(Run, NoCommandOrAnUnknownOne) {
     expect_refused({}, {"register", "unload", "mesh", "map"}, n_ranks);
   expect_refused({"regster"}, {"regster", "register", "unload", "mesh", "map"});
   expect_refused({"register", "--ouput", output()}, {"--ouput", "--help"});
+  expect_refused({"mesh", "--chest", "fixed", "--output", output()},
+                 {"'mesh'", "no option '--chest'", "prosup mesh --help"});
+  expect_refused({"phantom", "--state", "prone", "--output", output()}, {"'--state'", "phantom"},
+                 2);
 }
 
 } // namespace

@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <map>
 #include <regex>
+#include <set>
 
 #include "program.h"
 #include "prosup/core/version.h"
@@ -40,6 +42,33 @@ TEST(Help, OfEachCommandNamesItsOptions) {
     EXPECT_NE(run.out.find(command == "map" ? "--from" : "--write-prm"), std::string::npos)
         << run.out;
   }
+}
+
+TEST(Help, OfACommandListsWhatItTakesAndNothingElse) {
+  const std::vector<std::string> all{
+      "--prone-image",   "--supine-image", "--prone-labels", "--supine-labels", "--landmarks",
+      "--prone-gravity", "--chest",        "--method",       "--similarity",    "--state"};
+  const std::map<std::string, std::set<std::string>> not_taken{
+      {"register", {"--state"}},
+      {"unload", {"--similarity"}},
+      {"load", {"--similarity", "--landmarks"}},
+      {"mesh",
+       {"--prone-image", "--supine-image", "--landmarks", "--prone-gravity", "--chest", "--method",
+        "--similarity"}},
+      {"compare", {}}};
+  for (const auto& [command, absent] : not_taken) {
+    const std::string help = run_prosup({command, "--help"}).out;
+    for (const std::string& option : all)
+      EXPECT_EQ(help.find(option) != std::string::npos, absent.count(option) == 0)
+          << option << " in " << help;
+  }
+}
+
+TEST(Help, TellsDefaultsAndChoices) {
+  const std::string help = run_prosup({"register", "--help"}).out;
+  for (const char* text : {"--chest TEXT=sliding", "fixed, sliding, one-sided", "--method TEXT=fe",
+                           "fe, fdm", "--similarity TEXT=ssd", "ssd, nmi, lncc", "=results"})
+    EXPECT_NE(help.find(text), std::string::npos) << text << " in " << help;
 }
 
 TEST(Version, OfEachCommandIsThatOfTheLibrary) {

@@ -11,20 +11,21 @@
 namespace prosup::evaluation {
 
 /// The landmarks that one observer picked.
-struct Observer {
+struct LandmarkObserver {
   std::string name;
   std::vector<Landmark> landmarks;
 };
 
 /// Reads the landmarks of an observer, who is named after the file.
 /// @throws Error as read_landmarks().
-Observer read_observer(const std::filesystem::path& file);
+LandmarkObserver read_observer(const std::filesystem::path& file);
 
 /// Reads a control observer, who saw the prone landmarks of `first` and picked the supine
 /// positions: a CSV file with the columns id, supine_x, supine_y and supine_z, or a file for
 /// read_points(). The prone positions are those of `first`.
 /// @throws Error as read_points(), or for an id that `first` does not have.
-Observer read_control_observer(const std::filesystem::path& file, const Observer& first);
+LandmarkObserver read_control_observer(const std::filesystem::path& file,
+                                       const LandmarkObserver& first);
 
 /// The landmarks over which a statistic is taken.
 enum class Selection { all, reliable };
@@ -53,7 +54,7 @@ public:
   /// Uses the landmarks whose id all observers have.
   /// `exclude_above` is the largest distance between two observers, mm.
   /// @throws Error if there is no observer, or no landmark that all of them have.
-  ObserverStudy(std::vector<Observer> observers, double exclude_above);
+  ObserverStudy(std::vector<LandmarkObserver> observers, double exclude_above);
 
   std::size_t n_landmarks() const { return common_[0].landmarks.size(); }
   /// Number of landmarks that at least one observer does not have.
@@ -70,10 +71,10 @@ public:
   std::vector<ObserverRow> rows(const PointMapper& prone, const PointMapper& supine) const;
 
 private:
-  Observer mean_observer() const;
-  std::vector<Landmark> select(const Observer& observer, Selection selection) const;
+  LandmarkObserver mean_observer() const;
+  std::vector<Landmark> select(const LandmarkObserver& observer, Selection selection) const;
 
-  std::vector<Observer> common_; ///< the landmarks that all have, in one order
+  std::vector<LandmarkObserver> common_; ///< the landmarks that all have, in one order
   std::vector<bool> reliable_;
   std::vector<std::string> outliers_;
   std::size_t n_incomplete_ = 0;

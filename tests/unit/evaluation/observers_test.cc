@@ -19,15 +19,15 @@ Landmark landmark(const std::string& id, const Point<3>& prone, const Point<3>& 
 }
 
 /// Three structures; the second observer took another one for `b`.
-const Observer first{"first",
-                     {landmark("a", Point<3>(0, 0, 0), Point<3>(3, 0, 0)),
-                      landmark("b", Point<3>(0, 0, 0), Point<3>(0, 5, 0)),
-                      landmark("c", Point<3>(1, 1, 1), Point<3>(1, 1, 2))}};
-const Observer second{"second",
-                      {landmark("c", Point<3>(1, 1, 1), Point<3>(1, 1, 8)),
-                       landmark("a", Point<3>(0, 0, 0), Point<3>(3, 4, 0)),
-                       landmark("b", Point<3>(0, 0, 0), Point<3>(0, 17, 0)),
-                       landmark("d", Point<3>(0, 0, 0), Point<3>(0, 0, 0))}};
+const LandmarkObserver first{"first",
+                             {landmark("a", Point<3>(0, 0, 0), Point<3>(3, 0, 0)),
+                              landmark("b", Point<3>(0, 0, 0), Point<3>(0, 5, 0)),
+                              landmark("c", Point<3>(1, 1, 1), Point<3>(1, 1, 2))}};
+const LandmarkObserver second{"second",
+                              {landmark("c", Point<3>(1, 1, 1), Point<3>(1, 1, 8)),
+                               landmark("a", Point<3>(0, 0, 0), Point<3>(3, 4, 0)),
+                               landmark("b", Point<3>(0, 0, 0), Point<3>(0, 17, 0)),
+                               landmark("d", Point<3>(0, 0, 0), Point<3>(0, 0, 0))}};
 
 TEST(Observers, DistancesBeforeAndAfterExclusion) {
   const ObserverStudy study({first, second}, 10.);
@@ -70,7 +70,7 @@ TEST(Observers, ControlObserverHasTheProneLandmarksOfTheFirst) {
   for (const char* header : {"id,x,y,z", "id,supine_x,supine_y,supine_z"}) {
     const auto file =
         text_file(folder / "control.csv", std::string(header) + "\nc,1,1,5\na,3,0,2\n");
-    const Observer control = read_control_observer(file, first);
+    const LandmarkObserver control = read_control_observer(file, first);
     EXPECT_EQ(control.name, "control");
     ASSERT_EQ(control.landmarks.size(), 2u);
     EXPECT_EQ(control.landmarks[0].prone, Point<3>(1, 1, 1));
@@ -96,7 +96,7 @@ TEST(Observers, MistakesAreNamed) {
   const auto file = text_file(folder / "control.csv", "id,x,y,z\ne,1,1,5\n");
   expect_error([&] { read_control_observer(file, first); }, {"'e'", "control.csv", "'first'"});
   expect_error([] { ObserverStudy({}, 10.); }, {"No observer"});
-  const Observer other{"other", {landmark("z", Point<3>(), Point<3>())}};
+  const LandmarkObserver other{"other", {landmark("z", Point<3>(), Point<3>())}};
   expect_error([&] { ObserverStudy({first, other}, 10.); }, {"same id"});
 }
 

@@ -1,0 +1,84 @@
+#include "command_options.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "prosup/core/text.h"
+#include "prosup/registration/breast_model.h"
+#include "prosup/similarity/similarity_parameters.h"
+#include "prosup/unloading/support_parameters.h"
+
+namespace prosup::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// An option that stands for one parameter.
+struct ParameterOption {
+  std::string name, section, entry, text;
+  bool is_file = false;
+};
+
+const std::vector<ParameterOption>& parameter_options() {
+  static const std::vector<ParameterOption> options{
+      {"--prone-image", "Case", "Prone image", "Image of the prone breast", true},
+      {"--prone-labels", "Case", "Prone labels", "Labels of the prone image", true},
+      {"--supine-image", "Case", "Supine image", "Image of the supine breast", true},
+      {"--supine-labels", "Case", "Supine labels", "Labels of the supine image", true},
+      {"--landmarks", "Case", "Landmarks", "Landmarks for the evaluation, CSV", true},
+      {"--prone-gravity", "Case", "Prone gravity", "Direction of gravity, x,y,z (LPS)"},
+      {"--supine-gravity", "Case", "Supine gravity", "Direction of gravity, x,y,z (LPS)"},
+      {"--chest", "Case", "Chest",
+       "Motion on the chest wall: " + joined(unloading::chest_condition_names())},
+      {"--state", "Case", "State", "Which breast to work on: prone or supine"},
+      {"--method", "Simulation", "Method",
+       "Numerical method: " + joined(registration::method_names())},
+      {"--similarity", "Similarity", "Metric",
+       "Measure of similarity: " + joined(similarity::metric_names())},
+  };
+  return options;
+}
+
+const ParameterOption& find(const std::string& name) {
+  const auto& options = parameter_options();
+  return *std::find_if(options.begin(), options.end(),
+                       [&](const ParameterOption& option) { return option.name == name; });
+}
+
+std::string absolute_path(const std::string& file) {
+  return fs::absolute(file).lexically_normal().string();
+}
+
+} // namespace
+
+OptionNames all_parameter_options() {
+  OptionNames names;
+  for (const ParameterOption& option : parameter_options())
+    names.push_back(option.name);
+  return names;
+}
+
+void add_parameter_options(CLI::App& command, const OptionNames& names,
+                           const dealii::ParameterHandler& defaults, ParameterOptions& options) {
+  command.add_option("FILE", options.file, "Parameter file (.prm)");
+  command.add_option("--output", options.output, "Folder for the results")->capture_default_str();
+  command.add_option("--set", options.overrides,
+                     "Set a parameter, \"Section/Entry=value\"; may be repeated");
+  command.add_option("--write-prm", options.write_prm,
+                     "Write all parameters, with units and documentation, to a file and stop");
+  for (const std::string& name : names) {
+    const ParameterOption& option = find(name);
+    command
+        .add_option_function<std::string>(
+            option.name,
+            [&options, &option](const std::string& value) {
+              options.named.push_back(option.section + "/" + option.entry + "=" +
+                                      (option.is_file ? absolute_path(value) : value));
+            },
+            option.text)
+        ->default_str(defaults.get({option.section}, option.entry));
+  }
+}
+
+} // namespace prosup::pipeline

@@ -1,0 +1,41 @@
+#ifndef PROSUP_PIPELINE_COMMAND_OPTIONS_H
+#define PROSUP_PIPELINE_COMMAND_OPTIONS_H
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "prosup/core/parameters.h"
+
+namespace CLI {
+class App;
+}
+
+namespace prosup::pipeline {
+
+/// What the command line of a command with a parameter file holds.
+struct ParameterOptions {
+  std::filesystem::path file;
+  std::filesystem::path output = "results";
+  std::filesystem::path write_prm; ///< empty: run the command
+  std::vector<Override> overrides; ///< of --set
+  std::vector<Override> named;     ///< of options such as --chest; --set comes after them
+};
+
+/// Names of options that stand for one parameter each, such as "--chest".
+using OptionNames = std::vector<std::string>;
+
+/// All of them.
+OptionNames all_parameter_options();
+
+/// Adds FILE, --output, --set, --write-prm and the options in `names` to a command. The values
+/// go to `options`, which has to outlive the parsing; `defaults` holds all parameters as they
+/// are declared, for the help.
+void add_parameter_options(CLI::App& command, const OptionNames& names,
+                           const dealii::ParameterHandler& defaults, ParameterOptions& options);
+
+} // namespace prosup::pipeline
+
+#endif

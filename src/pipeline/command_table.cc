@@ -1,0 +1,129 @@
+#include "command_table.h"
+
+#include <CLI/CLI.hpp>
+#include <initializer_list>
+
+#include "prosup/core/collective.h"
+#include "prosup/core/parameters.h"
+
+namespace prosup::pipeline {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// What a command with a parameter file does; see commands.h.
+using CommandFunction = bool (*)(const AllParameters&, const dealii::ParameterHandler&,
+                                 const fs::path&, MPI_Comm);
+
+/// Gives the parameters their values. True if there is work to do.
+bool prepare(const ParameterOptions& options, AllParameters& parameters,
+             dealii::ParameterHandler& handler, MPI_Comm world) {
+  std::vector<Override> overrides = options.named;
+  overrides.insert(overrides.end(), options.overrides.begin(), options.overrides.end());
+  on_every_rank(world, [&] {
+    read_parameters(handler, options.file, overrides);
+    const fs::path folder =
+        options.file.empty() ? fs::current_path() : fs::absolute(options.file).parent_path();
+    parameters.case_files.resolve(folder, handler);
+    parameters.single_state.resolve(folder, handler);
+    parameters.comparison.resolve(folder, handler);
+  });
+  if (options.write_prm.empty())
+    return true;
+  on_root(world, [&] { write_parameters(handler, options.write_prm); });
+  return false;
+}
+
+/// @returns whether all simulations settled.
+bool run_with_parameters(CommandFunction run, const ParameterOptions& options, MPI_Comm world) {
+  AllParameters parameters;
+  dealii::ParameterHandler handler;
+  return !prepare(options, parameters, handler, world) ||
+         run(parameters, handler, options.output, world);
+}
+
+void add_map_options(CLI::App& command, MapRequest& request) {
+  const CLI::IsMember states({"prone", "supine", "unloaded"});
+  command.add_option("--result", request.result, "Result folder of prosup register")->required();
+  command.add_option("--from", request.from, "State of the points")->required()->check(states);
+  command.add_option("--to", request.to, "State to map them to")->required()->check(states);
+  command
+      .add_option("POINTS", request.points, "Points: CSV (id,x,y,z), .fcsv or .mrk.json; LPS mm")
+      ->required();
+  command.add_option("-o,--output", request.output, "CSV file to write")->required();
+}
+
+void add_landmark_options(CLI::App& command, LandmarkRequest& request) {
+  command.add_option("--result", request.result, "Result folder of prosup register")->required();
+  command.add_option("OBSERVERS", request.observers, "Landmarks of one observer each, CSV")
+      ->required();
+  command.add_option("--control", request.control,
+                     "Supine landmarks of an observer who was shown the prone ones of the first: "
+                     "CSV (id,supine_x,... or id,x,y,z), .fcsv or .mrk.json");
+  command
+      .add_option("--exclude-above", request.exclude_above,
+                  "Landmarks that two observers place further apart are not reliable (mm)")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber);
+  command.add_option("-o,--output", request.output, "CSV file to write")->required();
+}
+
+/// A command with a parameter file, and the options that it takes besides the common ones.
+Command with_parameters(const char* name, const char* text, const OptionNames& options,
+                        CommandFunction run) {
+  return {name, text,
+          [options](CLI::App& app, const dealii::ParameterHandler& defaults, Request& request) {
+            add_parameter_options(app, options, defaults, request.parameters);
+          },
+          [run](const Request& request, MPI_Comm world) {
+            return run_with_parameters(run, request.parameters, world);
+          }};
+}
+
+} // namespace
+
+std::vector<Command> all_commands() {
+  const OptionNames labels{"--prone-labels", "--supine-labels"};
+  const OptionNames images{"--prone-image", "--supine-image"};
+  const OptionNames gravity{"--prone-gravity", "--supine-gravity"};
+  const OptionNames simulation{"--chest", "--method"};
+  const auto all_of = [](std::initializer_list<OptionNames> lists) {
+    OptionNames names;
+    for (const OptionNames& list : lists)
+      names.insert(names.end(), list.begin(), list.end());
+    return names;
+  };
+  const OptionNames one_breast = all_of({images, labels, {"--state"}, gravity, simulation});
+  return {with_parameters(
+              "register", "Both images and masks to the registered unloaded pair",
+              all_of({images, labels, {"--landmarks"}, gravity, simulation, {"--similarity"}}),
+              run_register),
+          with_parameters("unload", "One mask (and image) to its unloaded configuration",
+                          all_of({one_breast, {"--landmarks"}}), run_unload),
+          with_parameters("load",
+                          "One unloaded mask (and image) or mesh to its loaded configuration",
+                          one_breast, run_load),
+          with_parameters("mesh", "One mask to a mesh, with a quality report",
+                          all_of({labels, {"--state"}}), run_mesh),
+          with_parameters("phantom", "Images of a numerical phantom, with their truth", gravity,
+                          run_phantom),
+          with_parameters("compare", "Runs of prosup and of other programs: speed against error",
+                          all_parameter_options(), run_compare),
+          {"map", "Points from one state to another",
+           [](CLI::App& app, const auto&, Request& request) { add_map_options(app, request.map); },
+           [](const Request& request, MPI_Comm world) {
+             on_root(world, [&] { run_map(request.map); });
+             return true;
+           }},
+          {"landmarks", "Errors at the landmarks of several observers",
+           [](CLI::App& app, const auto&, Request& request) {
+             add_landmark_options(app, request.landmarks);
+           },
+           [](const Request& request, MPI_Comm world) {
+             on_root(world, [&] { run_landmarks(request.landmarks); });
+             return true;
+           }}};
+}
+
+} // namespace prosup::pipeline

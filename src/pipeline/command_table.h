@@ -1,0 +1,34 @@
+#ifndef PROSUP_PIPELINE_COMMAND_TABLE_H
+#define PROSUP_PIPELINE_COMMAND_TABLE_H
+
+#include <deal.II/base/parameter_handler.h>
+#include <mpi.h>
+
+#include <functional>
+#include <vector>
+
+#include "command_options.h"
+#include "prosup/pipeline/commands.h"
+
+namespace prosup::pipeline {
+
+/// What the command line holds, whatever the command.
+struct Request {
+  ParameterOptions parameters;
+  MapRequest map;
+  LandmarkRequest landmarks;
+};
+
+/// One command of the program: a new one is one more entry of all_commands().
+struct Command {
+  const char *name, *text;
+  std::function<void(CLI::App&, const dealii::ParameterHandler& defaults, Request&)> add_options;
+  /// Returns whether all simulations settled.
+  std::function<bool(const Request&, MPI_Comm)> run;
+};
+
+std::vector<Command> all_commands();
+
+} // namespace prosup::pipeline
+
+#endif
