@@ -9,13 +9,13 @@
 
 namespace prosup::pipeline {
 
-/// What `prosup compare` runs and shows, section "Comparison".
+/// The runs and the output of `prosup compare`, section "Comparison".
 class ComparisonParameters : public dealii::ParameterAcceptor {
 public:
   ComparisonParameters();
   void declare_parameters(dealii::ParameterHandler& prm) override;
 
-  /// Makes the folder's name absolute, as CaseParameters::resolve().
+  /// Makes the name of the peer folder absolute, as CaseParameters::resolve().
   void resolve(const std::filesystem::path& folder, dealii::ParameterHandler& prm);
 
   bool is_registration() const { return command == "register"; }

@@ -8,11 +8,12 @@
 
 namespace prosup::pipeline {
 
-/// @throws Error if the folder is not that of a finished registration.
+/// @throws Error if `result` is not the result folder of a finished registration.
 void require_finished(const std::filesystem::path& result);
 
-/// The map of a state, prone or supine, from the result folder of `register`.
-/// @throws Error if it is not there.
+/// The map between the loaded and the unloaded configuration of `state`, prone or supine, from a
+/// result folder of `register`.
+/// @throws Error if the mesh is missing.
 evaluation::PointMapper read_mapper(const std::filesystem::path& result, const std::string& state);
 
 } // namespace prosup::pipeline

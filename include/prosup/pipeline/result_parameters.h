@@ -5,7 +5,7 @@
 
 namespace prosup::pipeline {
 
-/// What the result folder holds, section "Results".
+/// Contents of the result folder, section "Results".
 class ResultParameters : public dealii::ParameterAcceptor {
 public:
   ResultParameters();

@@ -12,16 +12,15 @@
 
 namespace prosup::pipeline {
 
-/// Wall times of the stages of a run; a stage lasts until its slowest rank is
-/// done.
+/// Wall times of the stages of a run. A stage ends when its slowest rank is done.
 class StageTimer {
 public:
   StageTimer(MPI_Comm communicator, const Log& log);
 
-  /// Announces and runs a stage. Collective.
+  /// Prints the name of a stage and runs it. Collective.
   void run(const std::string& name, const std::function<void()>& stage);
 
-  /// Runs what does not count as time of the run: looking at it from outside.
+  /// Runs work whose time does not count, such as the evaluation at landmarks.
   void set_aside(const std::function<void()>& work);
 
   double seconds(const std::string& name) const; ///< 0 for a stage that did not run
@@ -43,8 +42,7 @@ private:
   std::vector<Stage> stages_;
 };
 
-/// Most memory that each process of the communicator has used, summed over them,
-/// MiB. Collective.
+/// Sum of the peak memory of all processes of the communicator, MiB. Collective.
 double peak_memory(MPI_Comm communicator);
 
 } // namespace prosup::pipeline

@@ -8,8 +8,8 @@
 
 namespace prosup::pipeline {
 
-/// A grid with axes along LPS that holds the unloaded meshes and `margin` mm
-/// around them, on multiples of its spacing (mm).
+/// A grid with axes along LPS that contains the unloaded meshes with a margin. `spacing` and
+/// `margin` are in mm; the origin is a multiple of the spacing.
 image::VoxelGrid unloaded_grid(const std::vector<const mesh::UnloadedMesh*>& meshes, double spacing,
                                double margin);
 
