@@ -11,7 +11,7 @@ run() {
   { cat docs/Doxyfile; echo "OUTPUT_DIRECTORY = $work"; printf '%s\n' "${@:2}"; } | "$1" -
 }
 run "$2"
-[[ -f $work/html/index.html ]] || { echo "doxygen wrote no reference." >&2; exit 1; }
+[[ -f $work/reference/index.html ]] || { echo "doxygen wrote no reference." >&2; exit 1; }
 
 # The check itself, on a header with a parameter that does not exist.
 printf '/** @file */\n/// Nothing.\n/// @param b is not there\nvoid f(int a);\n' >"$work/wrong.h"
