@@ -94,6 +94,7 @@ LocalCorrelation::LocalCorrelation(double window_radius, double noise)
 }
 
 void LocalCorrelation::declare_parameters(dealii::ParameterHandler& prm) {
+  prm.enter_subsection(name());
   prm.add_parameter("Window radius", window_radius_,
                     "Half the edge of the cubic windows, at least one voxel. Small windows work "
                     "best, since they rarely hold air, fat and gland at once. Units: mm.",
@@ -102,6 +103,7 @@ void LocalCorrelation::declare_parameters(dealii::ParameterHandler& prm) {
                     "Standard deviation of the noise: windows in which the images vary less hardly "
                     "count. Units: none (images are scaled to [0, 1]).",
                     dealii::Patterns::Double(1e-6, 1.));
+  prm.leave_subsection();
 }
 
 double LocalCorrelation::evaluate(const WarpedPair& pair, VoxelDerivatives& derivatives) const {

@@ -71,9 +71,11 @@ NormalisedMutualInformation::NormalisedMutualInformation(unsigned n_bins) : n_bi
 }
 
 void NormalisedMutualInformation::declare_parameters(dealii::ParameterHandler& prm) {
+  prm.enter_subsection(name());
   prm.add_parameter("Bins", n_bins_,
                     "Number of bins of the joint histogram, for each image. Units: none.",
                     dealii::Patterns::Integer(fewest_bins, most_bins));
+  prm.leave_subsection();
 }
 
 double NormalisedMutualInformation::evaluate(const WarpedPair& pair,

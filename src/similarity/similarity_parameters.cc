@@ -53,12 +53,14 @@ SimilarityParameters::SimilarityParameters()
 }
 
 void SimilarityParameters::declare_parameters(ParameterHandler& prm) {
-  std::string descriptions;
+  std::vector<std::string> descriptions;
   for (const auto& known : metrics_)
-    descriptions += known->name() + " (" + known->description() + "), ";
+    descriptions.push_back(known->name() + " (" + known->description() + ")");
   prm.add_parameter("Metric", metric,
-                    "Measure of the difference between the two images: " + descriptions +
-                        "to be minimised. For images of different contrast, such as MR and CT: " +
+                    "Measure of the difference between the two images, which is minimised. "
+                    "Allowed: " +
+                        joined(descriptions) +
+                        ". For images of different contrast, such as MR and CT: " +
                         joined(names_of(metrics_, true), " or ") + ".",
                     one_of(names_of(metrics_)));
   prm.add_parameter("Boundary layers", n_layers,
@@ -69,11 +71,8 @@ void SimilarityParameters::declare_parameters(ParameterHandler& prm) {
                     "Space around both unloaded meshes in the grid on which they are compared. "
                     "Units: voxels.",
                     Patterns::Double(0., 1000.));
-  for (const auto& known : metrics_) {
-    prm.enter_subsection(known->name());
+  for (const auto& known : metrics_)
     known->declare_parameters(prm);
-    prm.leave_subsection();
-  }
 }
 
 void SimilarityParameters::add_metric(std::shared_ptr<Metric> new_metric) {

@@ -53,7 +53,7 @@ public:
   /// compares labelled tissues instead.
   virtual bool needs_same_contrast() const = 0;
 
-  /// Declares the parameters of this metric, if any, in the present section of `prm`.
+  /// Declares the parameters of this metric, if any, in a subsection called name().
   virtual void declare_parameters(dealii::ParameterHandler& /*prm*/) {}
 
   /// Returns the value, mm^3, and computes its derivatives.

@@ -20,7 +20,9 @@ public:
   std::string name() const override { return name_; }
   bool needs_same_contrast() const override { return false; }
   void declare_parameters(dealii::ParameterHandler& prm) override {
+    prm.enter_subsection(name_);
     prm.add_parameter("Value", value_);
+    prm.leave_subsection();
   }
   double evaluate(const WarpedPair& pair, VoxelDerivatives& derivatives) const override {
     derivatives.reset(pair.in_domain.size());
