@@ -51,7 +51,7 @@ void check(const mesh::UnloadedMesh& mesh) {
   if (nodes.size() != mesh.unloaded.size())
     throw Error("The mesh has " + std::to_string(nodes.size()) + " nodes but " +
                 std::to_string(mesh.unloaded.size()) +
-                " unloaded positions; both must be as many.");
+                " unloaded positions; give one for each node.");
   if (!std::all_of(nodes.begin(), nodes.end(), is_finite) ||
       !std::all_of(mesh.unloaded.begin(), mesh.unloaded.end(), is_finite))
     throw Error("The mesh has node positions that are not finite numbers, so that no point can be "

@@ -74,7 +74,7 @@ std::vector<NamedPoint> read_fcsv(const std::filesystem::path& file) {
       continue;
     if (!system)
       throw Error("The file '" + file.string() +
-                  "' does not tell its coordinate system; add the line '# CoordinateSystem = LPS' "
+                  "' does not name its coordinate system; add the line '# CoordinateSystem = LPS' "
                   "or '# CoordinateSystem = RAS' before the points.");
     // Columns: id, x, y, z, four of orientation, three flags, label, ...
     const std::vector<std::string> values = csv::split(line.text);

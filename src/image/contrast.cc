@@ -43,9 +43,10 @@ float median_intensity(const ScalarImage& image, const LabelImage& labels, unsig
     if (labels.values[v] == label)
       values.push_back(image.values[v]);
   if (values.empty())
-    throw Error(format("The label image has no voxel of label %u, the intensity of which is asked "
-                       "for; label some.",
-                       label));
+    throw Error(
+        format("The median intensity of label %u is needed, but the label image has no voxel "
+               "of it; label this tissue, or give the right label.",
+               label));
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;

@@ -32,7 +32,7 @@ itk::ImageIOBase::Pointer format_for_reading(const std::filesystem::path& file) 
   if (!std::filesystem::exists(file, ignored))
     throw Error(format("The image file '%s' does not exist; check the path.", name.c_str()));
   if (!std::filesystem::is_regular_file(file, ignored))
-    throw Error(format("'%s' is no file; give an image file: %s.", name.c_str(), known_formats));
+    throw Error(format("'%s' is not a file; give an image file: %s.", name.c_str(), known_formats));
   const bool half_of_a_pair = file.extension() == ".hdr" || file.extension() == ".img";
   for (const auto& io : all_formats())
     if (!half_of_a_pair && io->CanReadFile(name.c_str()))
@@ -50,8 +50,8 @@ itk::ImageIOBase::Pointer format_for_writing(const std::filesystem::path& file) 
   for (const auto& io : all_formats())
     if (io->CanWriteFile(name.c_str()))
       return io;
-  throw Error(
-      format("'%s' cannot be written: its ending is not one of %s.", name.c_str(), known_formats));
+  throw Error(format("'%s' cannot be written: its extension is not one of %s.", name.c_str(),
+                     known_formats));
 }
 
 void refuse_nifti_vectors(const itk::ImageIOBase& io, const std::filesystem::path& file) {

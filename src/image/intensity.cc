@@ -26,9 +26,10 @@ double percentile(std::vector<float>& values, double percent) {
 IntensityRange robust_range(const ScalarImage& image, const LabelImage& mask, double low_percentile,
                             double high_percentile) {
   if (!(0. <= low_percentile && low_percentile < high_percentile && high_percentile <= 100.))
-    throw Error(format("The percentiles of the intensity range are %g and %g, but must rise and "
-                       "lie between 0 and 100.",
-                       low_percentile, high_percentile));
+    throw Error(
+        format("The percentiles of the intensity range are %g and %g, but must increase and "
+               "lie between 0 and 100.",
+               low_percentile, high_percentile));
   if (mask.grid.size != image.grid.size)
     throw Error("The intensity range needs a mask of the size of the image; resample the mask.");
   std::vector<float> inside;
@@ -36,7 +37,7 @@ IntensityRange robust_range(const ScalarImage& image, const LabelImage& mask, do
     if (mask.values[v] != 0)
       inside.push_back(image.values[v]);
   if (inside.empty())
-    throw Error("The intensity range cannot be found because the mask is empty; mend the mask.");
+    throw Error("The intensity range cannot be found because the mask is empty; correct the mask.");
   const IntensityRange range{percentile(inside, low_percentile),
                              percentile(inside, high_percentile)};
   if (!(range.low < range.high))
@@ -48,8 +49,8 @@ IntensityRange robust_range(const ScalarImage& image, const LabelImage& mask, do
 
 ScalarImage rescale(const ScalarImage& image, IntensityRange range) {
   if (!(range.low < range.high))
-    throw Error(format("The intensity range to rescale from is %g to %g, but must rise.", range.low,
-                       range.high));
+    throw Error(format("The intensity range to rescale from is %g to %g, but must increase.",
+                       range.low, range.high));
   ScalarImage result(image.grid);
   std::transform(image.values.begin(), image.values.end(), result.values.begin(), [&](float value) {
     const double scaled = (value - range.low) / (range.high - range.low);

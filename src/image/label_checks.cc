@@ -61,7 +61,7 @@ void require_label(const LabelImage& labels, unsigned label, const std::string& 
     if (occurs[l])
       present += (present.empty() ? "" : ", ") + std::to_string(l);
   throw Error(format("The labels '%s' have no voxel of label %u (%s), only of %s; set the number "
-                     "of that label or mend the mask.",
+                     "of that label or correct the mask.",
                      file.c_str(), label, what.c_str(),
                      present.empty() ? "none" : present.c_str()));
 }

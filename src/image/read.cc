@@ -32,7 +32,7 @@ void check_header(const itk::ImageIOBase& io, unsigned n_components, const std::
   for (unsigned d = 0; d < 3; ++d)
     if (!(io.GetSpacing(d) > 0.) || !std::isfinite(io.GetSpacing(d)))
       throw Error(format("'%s' has a voxel spacing of %g mm along axis %u, which must be positive; "
-                         "mend its header.",
+                         "correct its header.",
                          file.c_str(), io.GetSpacing(d), d));
 }
 

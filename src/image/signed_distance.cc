@@ -30,8 +30,8 @@ ScalarImage signed_distance(const LabelImage& mask) {
   const LabelImage complement = select_labels(mask, {0});
   const auto n_outside = std::count(complement.values.begin(), complement.values.end(), 1);
   if (n_outside == 0 || std::size_t(n_outside) == complement.values.size())
-    throw Error("The distance to a mask that is empty or fills its image is not defined; mend the "
-                "mask.");
+    throw Error("The distance to a mask that is empty or fills its image is not defined; correct "
+                "the mask.");
   // The faces lie midway between the outermost voxels of the two sides.
   ScalarImage distance = distance_to_centres(mask);
   const ScalarImage from_outside = distance_to_centres(complement);

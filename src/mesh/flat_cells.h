@@ -8,7 +8,7 @@ namespace prosup::mesh {
 /// Takes away cells lower than `least_height` (mm) that lie flat under the surface,
 /// two of their faces being neighbours in it at an angle of less than 30 degrees:
 /// the other two faces take their place, as if the edge between them were flipped.
-/// Moving nodes cannot mend such cells near corners. Returns how many there were.
+/// Near corners, moving nodes cannot repair such cells. Returns their number.
 unsigned peel_flat_cells(TetMesh& mesh, double least_height);
 
 } // namespace prosup::mesh

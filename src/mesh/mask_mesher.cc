@@ -113,7 +113,7 @@ TetMesh mesh_with_patience(const LevelSet& phi, double edge_length) {
       return mesh;
   }
   throw Error(format("gmsh could not fill the breast surface with tetrahedra of edge length %g mm; "
-                     "choose a smaller \"Meshing/Edge length\", or mend thin parts of the mask.",
+                     "choose a smaller \"Meshing/Edge length\", or correct thin parts of the mask.",
                      edge_length));
 }
 

@@ -35,7 +35,7 @@ TEST_F(Reading, NamesAMissingFile) {
 
 TEST_F(Reading, RefusesAFolder) {
   std::filesystem::create_directory(folder_ / "dicom");
-  expect_error([&] { read_image(folder_ / "dicom"); }, {"dicom", "is no file", "NIfTI"});
+  expect_error([&] { read_image(folder_ / "dicom"); }, {"dicom", "is not a file", "NIfTI"});
 }
 
 TEST_F(Reading, ListsTheFormatsForAnUnknownOne) {
