@@ -1,6 +1,7 @@
 // Registers a prone and a supine image of one breast with prosup's default scheme, and says where
 // the point x y z (LPS, mm) of the prone image lies in the supine one:
 //   register PRONE PRONE_LABELS SUPINE SUPINE_LABELS x y z [PARAMETERS.prm]
+#include <prosup/core/error.h>
 #include <prosup/core/parameters.h>
 #include <prosup/core/session.h>
 #include <prosup/evaluation/point_mapper.h>
@@ -29,7 +30,8 @@ int main(int argc, char** argv) {
     const auto result = registration.result();
 
     if (session.is_first()) {
-      const prosup::evaluation::PointMapper prone(result.meshes.prone), supine(result.meshes.supine);
+      const prosup::evaluation::PointMapper prone(result.meshes.prone),
+          supine(result.meshes.supine);
       const dealii::Point<3> lesion(std::stod(argv[5]), std::stod(argv[6]), std::stod(argv[7]));
       std::cout << supine.to_loaded(prone.to_unloaded(lesion)) << '\n';
     }

@@ -71,7 +71,8 @@ void write_phantom_truth(const PhantomTruth& truth, const std::filesystem::path&
   json["gravity_mm_per_s2"] = truth.load.gravity;
   json["geometry"] = geometry_of(phantom.anatomy);
   json["images"] = images_of(phantom.images);
-  json["mesh"] = {{"element", "quadratic tetrahedra"}, {"edge_length_mm", phantom.mechanics.edge_length}};
+  json["mesh"] = {{"element", "quadratic tetrahedra"},
+                  {"edge_length_mm", phantom.mechanics.edge_length}};
   for (const Position position : both_positions) {
     const char* name = name_of(position);
     json["gravity_direction_LPS"][name] = as_json(truth.gravity_direction[position]);

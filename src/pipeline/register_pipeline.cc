@@ -49,8 +49,7 @@ RegisterPipeline::RegisterPipeline(const CaseParameters& case_files,
                                    const ResultParameters& results, const ParameterHandler& all,
                                    const std::filesystem::path& output, MPI_Comm world)
     : case_files_(case_files), results_(results), aligns_(parameters.pre_alignment.wanted()),
-      run_("register", all, output, world),
-      registration_(parameters, world, run_.log()) {
+      run_("register", all, output, world), registration_(parameters, world, run_.log()) {
   run_.summary().metric = parameters.similarity.metric;
   run_.summary().steps = 0;
   registration_.set_observer(

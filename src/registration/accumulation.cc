@@ -17,8 +17,7 @@ constexpr unsigned patience = 3;       // updates in a row with hardly any gain
 class ImageForceRegistration::Accumulation {
 public:
   Accumulation(const ImageForceRegistration& parameters, BreastPair& pair,
-               const ComparedImages& images, double level, const Log& log,
-               const Observer& observer)
+               const ComparedImages& images, double level, const Log& log, const Observer& observer)
       : parameters_(parameters), pair_(pair), comparison_(pair, images, Compared::images, level),
         variable_(parameters.accumulated_.force_gradient == "transformed"
                       ? similarity::Variable::transformed_displacement
@@ -66,7 +65,8 @@ private:
   /// inversion.
   bool push(double weight, ImageForceResult& result) {
     try {
-      const double ramp = parameters_.accumulated_.ramp_fraction * parameters_.accumulated_.time_per_update;
+      const double ramp =
+          parameters_.accumulated_.ramp_fraction * parameters_.accumulated_.time_per_update;
       pair_.for_each([&](Position, Breast& breast) {
         breast.add_image_forces(weight, parameters_.accumulated_.momentum, ramp);
       });

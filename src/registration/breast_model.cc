@@ -15,15 +15,16 @@ struct Method {
 };
 
 /// A further method is one more line here.
-constexpr Method methods[] = {
-    {"fe", [](const BreastModel& model, const BreastInput& input,
-              MPI_Comm communicator) -> std::unique_ptr<Breast> {
-       return make_element_breast(model, input, communicator);
-     }},
-    {"fdm", [](const BreastModel& model, const BreastInput& input,
-               MPI_Comm communicator) -> std::unique_ptr<Breast> {
-       return std::make_unique<GridBreast>(model, input, communicator);
-     }}};
+constexpr Method methods[] = {{"fe",
+                               [](const BreastModel& model, const BreastInput& input,
+                                  MPI_Comm communicator) -> std::unique_ptr<Breast> {
+                                 return make_element_breast(model, input, communicator);
+                               }},
+                              {"fdm",
+                               [](const BreastModel& model, const BreastInput& input,
+                                  MPI_Comm communicator) -> std::unique_ptr<Breast> {
+                                 return std::make_unique<GridBreast>(model, input, communicator);
+                               }}};
 
 } // namespace
 

@@ -42,17 +42,15 @@ void BreastPair::set_properties(const MechanicalProperties& properties) {
 
 PerPosition<SettlingResult> BreastPair::unload(unsigned max_steps) {
   PerPosition<SettlingResult> results;
-  for_each([&](Position position, Breast& breast) {
-    results[position] = breast.unload(max_steps);
-  });
+  for_each(
+      [&](Position position, Breast& breast) { results[position] = breast.unload(max_steps); });
   return ranks_.share(std::move(results));
 }
 
 PerPosition<SettlingResult> BreastPair::advance(double duration) {
   PerPosition<SettlingResult> results;
-  for_each([&](Position position, Breast& breast) {
-    results[position] = breast.advance(duration);
-  });
+  for_each(
+      [&](Position position, Breast& breast) { results[position] = breast.advance(duration); });
   return ranks_.share(std::move(results));
 }
 

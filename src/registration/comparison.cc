@@ -56,8 +56,8 @@ Comparison::Comparison(const BreastPair& pair, const ComparedImages& compared, C
                        double level)
     : pair_(pair), level_(level), domain_(domain_of(pair, compared, level)) {
   const bool by_images = by == Compared::images;
-  metric_ = by_images ? compared.metric
-                      : std::make_shared<const similarity::SumOfSquaredDifferences>();
+  metric_ =
+      by_images ? compared.metric : std::make_shared<const similarity::SumOfSquaredDifferences>();
   name_ = by_images ? metric_->name() : "ssd of tissues";
   if (!by_images)
     domain_.air = {0.f, 0.f};

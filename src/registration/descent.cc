@@ -46,8 +46,8 @@ public:
       if (gain < parameters_.least_gain_ * gained)
         break;
     }
-    log_.line(format("  level %g mm: %s %.4g after %u updates", level,
-                     comparison.name().c_str(), point.similarity.value, n_updates));
+    log_.line(format("  level %g mm: %s %.4g after %u updates", level, comparison.name().c_str(),
+                     point.similarity.value, n_updates));
     return n_updates;
   }
 

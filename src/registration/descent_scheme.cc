@@ -67,7 +67,7 @@ public:
     double length = 1.;
     if (!pairs.empty())
       length = pairs.back().curvature /
-              energy_.product(pairs.back().change, energy_.solve({}, 0., pairs.back().change));
+               energy_.product(pairs.back().change, energy_.solve({}, 0., pairs.back().change));
     PairVectors direction = energy_.solve({}, 0., q);
     scale(direction, length);
     for (const Pair& pair : pairs)

@@ -40,10 +40,9 @@ Tensor<2, 3> deformation_gradient(const VectorField& u, const Point<3>& X) {
   return F;
 }
 
-GridSamples::GridSamples(const similarity::SimilarityDomain& domain,
-                         const similarity::Scene& scene, Position position,
-                         VectorField displacement, const image::ScalarImage& image,
-                         MPI_Comm communicator)
+GridSamples::GridSamples(const similarity::SimilarityDomain& domain, const similarity::Scene& scene,
+                         Position position, VectorField displacement,
+                         const image::ScalarImage& image, MPI_Comm communicator)
     : grid_(domain.grid), displacement_(std::move(displacement)), communicator_(communicator) {
   const image::Sampler sampler(image);
   const std::size_t plane = grid_.size[0] * grid_.size[1];
@@ -57,8 +56,7 @@ GridSamples::GridSamples(const similarity::SimilarityDomain& domain,
       const Point<3> x = X + displacement_.value(X);
       const float cover = cover_at(scene, position, x);
       Tensor<1, 3> gradient;
-      const float value =
-          cover == cover::excluded ? 0.f : sampler.value_and_gradient(x, gradient);
+      const float value = cover == cover::excluded ? 0.f : sampler.value_and_gradient(x, gradient);
       samples_.add(voxel, value, cover, gradient);
     }
 }
@@ -71,8 +69,7 @@ Point<3> GridSamples::position_of(std::uint32_t voxel) const {
 }
 
 VectorField GridSamples::forces(const std::vector<float>& slope, Variable variable) const {
-  VectorField forces{displacement_.grid,
-                     std::vector<Tensor<1, 3>>(displacement_.values.size())};
+  VectorField forces{displacement_.grid, std::vector<Tensor<1, 3>>(displacement_.values.size())};
   const double density = 1. / displacement_.grid.voxel_volume();
   for (std::size_t i = 0; i < samples_.voxels.size(); ++i) {
     const double voxel_slope = slope[samples_.voxels[i]];

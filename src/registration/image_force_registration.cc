@@ -34,12 +34,13 @@ ImageForceRegistration::ImageForceRegistration()
 }
 
 void ImageForceRegistration::declare_parameters(ParameterHandler& prm) {
-  prm.add_parameter("Scheme", scheme_,
-                    "How the breasts are pushed together. gauss-newton: steps with the stiffness of "
-                    "breast and images. l-bfgs: starts from the stiffness of the breast alone. "
-                    "steepest-descent: keeps to that. accumulated: the paper's, forces added up in "
-                    "the running simulation (eq. 15); what fdm always takes.",
-                    one_of(scheme_names()));
+  prm.add_parameter(
+      "Scheme", scheme_,
+      "How the breasts are pushed together. gauss-newton: steps with the stiffness of "
+      "breast and images. l-bfgs: starts from the stiffness of the breast alone. "
+      "steepest-descent: keeps to that. accumulated: the paper's, forces added up in "
+      "the running simulation (eq. 15); what fdm always takes.",
+      one_of(scheme_names()));
   prm.add_parameter("Levels", levels_,
                     "Edges of the voxels on which the images are compared, from coarse to fine. "
                     "Units: mm.",
@@ -81,10 +82,11 @@ void ImageForceRegistration::declare_parameters(ParameterHandler& prm) {
                     "Part of the last increment of the force that is added again with the next, "
                     "which speeds up directions in which the residual hardly changes. Units: none.",
                     Patterns::Double(0., 0.99));
-  prm.add_parameter("Least gain", accumulated_.least_gain,
-                    "A level ends after three updates in a row that lower the dissimilarity by less "
-                    "than this part of it. Units: none.",
-                    Patterns::Double(0., 1.));
+  prm.add_parameter(
+      "Least gain", accumulated_.least_gain,
+      "A level ends after three updates in a row that lower the dissimilarity by less "
+      "than this part of it. Units: none.",
+      Patterns::Double(0., 1.));
   prm.leave_subsection();
 }
 

@@ -38,8 +38,7 @@ float air_intensity(const ScalarImage& image, const LabelImage& labels) {
 
 /// Moves what was read of the supine breast by the offset of the case.
 template <typename T>
-image::VoxelImage<T> placed(image::VoxelImage<T> image, const CaseFiles& files,
-                            Position position) {
+image::VoxelImage<T> placed(image::VoxelImage<T> image, const CaseFiles& files, Position position) {
   if (position == Position::supine)
     image.grid.origin += files.supine_offset;
   return image;
@@ -50,8 +49,7 @@ image::VoxelImage<T> placed(image::VoxelImage<T> image, const CaseFiles& files,
 void Inputs::align_supine(const image::RigidTransform& to_prone) {
   alignment = to_prone;
   for (image::VoxelGrid* grid :
-       {&images.supine.grid, &scene.labels.supine.grid,
-        &scene.excluded.supine.grid})
+       {&images.supine.grid, &scene.labels.supine.grid, &scene.excluded.supine.grid})
     *grid = to_prone(*grid);
 }
 
@@ -169,8 +167,8 @@ void InputReader::convert_contrast(Inputs& inputs) const {
   const Position changed =
       contrast_ == contrast::prone_as_supine ? Position::prone : Position::supine;
   inputs.images[changed] =
-      image::convert_contrast(inputs.images[changed], inputs.scene.labels[changed],
-                              tissue[changed], tissue[other(changed)]);
+      image::convert_contrast(inputs.images[changed], inputs.scene.labels[changed], tissue[changed],
+                              tissue[other(changed)]);
   inputs.scene.air[changed] = inputs.scene.air[other(changed)];
 }
 

@@ -75,13 +75,12 @@ MaterialUpdateResult MaterialUpdate::run(BreastPair& pair, const ComparedImages&
   MaterialUpdateResult result;
   if (method_ == "none")
     return result;
-  const bool by_images = compared_ == "images" ||
-                         (compared_ == "automatic" && images.metric->needs_same_contrast());
+  const bool by_images =
+      compared_ == "images" || (compared_ == "automatic" && images.metric->needs_same_contrast());
   const auto trials_on = [&](double level) {
-    return PropertyTrials(pair,
-                          Comparison(pair, images,
-                                     by_images ? Compared::images : Compared::tissues, level),
-                          log, observer, result);
+    return PropertyTrials(
+        pair, Comparison(pair, images, by_images ? Compared::images : Compared::tissues, level),
+        log, observer, result);
   };
   if (method_ == "stepwise") {
     PropertyTrials trials = trials_on(levels_.back());

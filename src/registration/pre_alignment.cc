@@ -62,8 +62,8 @@ Alignment PreAlignment::run(const ScalarImage& prone_image, const ScalarImage& s
   PerPosition<LabelImage> chest;
   PerPosition<ScalarImage> distance;
   for (const Position position : both_positions) {
-    distance[position] = image::signed_distance(
-        image::select_labels(scene.labels[position], {scene.chest_label}));
+    distance[position] =
+        image::signed_distance(image::select_labels(scene.labels[position], {scene.chest_label}));
     chest[position] = layer(distance[position], layer_depth_);
     // Otherwise the stair steps of the voxels would lock the surfaces in place.
     distance[position] = image::gaussian_smooth(

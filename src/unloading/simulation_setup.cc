@@ -38,8 +38,7 @@ double largest_head(const mechanics::Body& body, const Tensor<1, 3>& gravity) {
          Utilities::MPI::min(lower, body.communicator());
 }
 
-double mean_shear_modulus(const mechanics::Body& body,
-                          const mechanics::Material& material) {
+double mean_shear_modulus(const mechanics::Body& body, const mechanics::Material& material) {
   double sums[2] = {0., static_cast<double>(body.n_elements())};
   for (unsigned e = 0; e < body.n_elements(); ++e)
     sums[0] += material[e].mu;

@@ -48,7 +48,8 @@ TEST_F(Input, ImageThatIsTruncated) {
 TEST_F(Input, ImageThatIsNone) {
   expect_refused(registering({"--prone-image", write("prone.nii.gz", "no image")}),
                  {"prone.nii.gz", "NIfTI", "NRRD", "MetaImage"});
-  expect_refused(registering({"--prone-image", PROSUP_TEST_DATA}), {PROSUP_TEST_DATA, "no file"});
+  expect_refused(registering({"--prone-image", PROSUP_TEST_DATA}),
+                 {PROSUP_TEST_DATA, "not a file"});
 }
 
 TEST_F(Input, ImageInThePlaceOfLabels) {

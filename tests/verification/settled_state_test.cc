@@ -80,7 +80,8 @@ struct Breast {
       simulation.hold_reference();
     simulation.set_material(material);
     EXPECT_TRUE(simulation.run().converged);
-    EXPECT_LT(supports->largest_gap(simulation.unloaded(), simulation.displacement()), 1e-3);
+    EXPECT_LT(supports->contacts().largest_gap(simulation.unloaded(), simulation.displacement()),
+              1e-3);
     NodeVector positions = simulation.unloaded();
     if (way == Way::forward)
       positions += simulation.displacement();

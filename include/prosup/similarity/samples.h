@@ -24,8 +24,8 @@ constexpr float excluded = -1.f;     ///< no force is computed here
 /// The nodal positions by which the dissimilarity is differentiated; the others are held.
 enum class Variable {
   displacement, ///< u at fixed X: dP(X_v) = grad_x P . N_a du_a
-  /// F f of the paper's eq. 15, f having the gradient of the unloaded image grad_X P = F^T grad_x P.
-  /// This is the derivative by u only where F F^T = 1.
+  /// F f of the paper's eq. 15, f having the gradient of the unloaded image grad_X P = F^T grad_x
+  /// P. This is the derivative by u only where F F^T = 1.
   transformed_displacement,
   unloaded ///< X at fixed x: dP(X_v) = -(F^T grad_x P) . N_a dX_a, exact for linear cells
 };

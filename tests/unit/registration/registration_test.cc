@@ -60,8 +60,8 @@ struct Scene {
           const auto mesh = make_box(group, n_cells, size, *loaded[position]);
           ElementBreast::Parts parts;
           parts.body = std::make_unique<mechanics::Body>(*mesh);
-          parts.supports = std::make_unique<mechanics::Supports>(
-              *parts.body, mechanics::BoundaryIds{3});
+          parts.supports =
+              std::make_unique<mechanics::Supports>(*parts.body, mechanics::BoundaryIds{3});
           parts.unloading = std::make_unique<unloading::Unloading>(parameters, *parts.supports,
                                                                    gravity[position]);
           return std::make_unique<ElementBreast>(position, std::move(parts), material);

@@ -84,8 +84,7 @@ TEST(ImageForce, ByUnloadedPositionsIsMinusTheDerivativeOfTheSsd) {
       for (unsigned c = 0; c < 3; ++c)
         pair.unloaded[position].local_element(3 * node + c) += distance * way[c];
     }
-    return ImageForce(ssd(), MPI_COMM_WORLD)
-        .value(TexturedPair::domain(2., 0), pair.imaged());
+    return ImageForce(ssd(), MPI_COMM_WORLD).value(TexturedPair::domain(2., 0), pair.imaged());
   };
   const TexturedPair pair(stretched, flattened);
   const SimilarityResult result =
@@ -191,8 +190,8 @@ TEST(ImageForce, ExcludedRegionsDoNotCount) {
 TEST(ImageForce, VanishesWhereTheImagesAgree) {
   TexturedPair pair(stretched, stretched);
   pair.images.supine = pair.images.prone;
-  const SimilarityResult result = ImageForce(ssd(), MPI_COMM_WORLD)
-                                      .evaluate(TexturedPair::domain(2., 2), pair.imaged());
+  const SimilarityResult result =
+      ImageForce(ssd(), MPI_COMM_WORLD).evaluate(TexturedPair::domain(2., 2), pair.imaged());
   EXPECT_NEAR(result.value, 0., 1e-9);
   EXPECT_NEAR(result.forces.prone.linfty_norm(), 0., 1e-9);
   EXPECT_NEAR(result.forces.supine.linfty_norm(), 0., 1e-9);

@@ -18,8 +18,8 @@ Point<3> sheared(const Point<3>& X) {
 mechanics::NodeVector displacement_of(const TexturedPair& pair) {
   mechanics::NodeVector u = pair.unloaded.prone;
   for (unsigned i = 0; i < 3 * pair.bodies.prone->n_local_nodes(); ++i)
-    u.local_element(i) =
-        pair.bodies.prone->vertex_positions().local_element(i) - pair.unloaded.prone.local_element(i);
+    u.local_element(i) = pair.bodies.prone->vertex_positions().local_element(i) -
+                         pair.unloaded.prone.local_element(i);
   return u;
 }
 
