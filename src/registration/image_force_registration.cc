@@ -39,7 +39,7 @@ void ImageForceRegistration::declare_parameters(ParameterHandler& prm) {
       "How the breasts are pushed together. gauss-newton: steps with the stiffness of "
       "breast and images. l-bfgs: starts from the stiffness of the breast alone. "
       "steepest-descent: keeps to that. accumulated: the paper's, forces added up in "
-      "the running simulation (eq. 15); what fdm always takes.",
+      "the running simulation (eq. 15); fdm always uses it.",
       one_of(scheme_names()));
   prm.add_parameter("Levels", levels_,
                     "Edges of the voxels on which the images are compared, from coarse to fine. "

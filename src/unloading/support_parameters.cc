@@ -36,9 +36,9 @@ bool in_field_of_view(const image::VoxelGrid& grid, const Point<3>& x) {
   return all;
 }
 
-/// Whether the tissue at a face in the border of one image is held by what lies
-/// beyond: not where the other image shows air, since it has bulged across the
-/// border there. Where the other image does not reach nothing is known.
+/// Whether tissue beyond the border of the image holds a face that lies in it. Where the other
+/// image shows air there is none: the tissue has moved across the border. Where the other image
+/// does not reach, the face is taken to be held.
 FaceFilter held_beyond(const image::LabelImage& other) {
   const auto& spacing = other.grid.spacing;
   const double step = 1.5 * std::max({spacing[0], spacing[1], spacing[2]});
