@@ -7,3 +7,9 @@ target_link_libraries(prosup_itk INTERFACE ${ITK_LIBRARIES})
 add_library(prosup_gmsh INTERFACE)
 target_include_directories(prosup_gmsh SYSTEM INTERFACE ${GMSH_INCLUDE_DIR})
 target_link_libraries(prosup_gmsh INTERFACE ${GMSH_LIBRARY})
+
+# VTK brings TBB, which asks for its own assertions in Debug. deal.II does without, and one
+# precompiled header has to serve the modules with VTK and those without.
+if(TARGET TBB::tbb)
+  set_property(TARGET TBB::tbb PROPERTY INTERFACE_COMPILE_DEFINITIONS "")
+endif()
