@@ -132,10 +132,12 @@ public:
     return made;
   }
 
-  void set_images(const ScalarImage& target, const ScalarImage& source,
-                  const std::vector<Point<3>>& points) {
+  /// Keeps the images, which the metric only refers to.
+  void set_images(ScalarImage target, ScalarImage source, const std::vector<Point<3>>& points) {
+    target_ = std::move(target);
+    source_ = std::move(source);
     euler_ = itk::Euler3DTransform<double>::New();
-    metric_ = make_metric(target, source, points, euler_);
+    metric_ = make_metric(target_, source_, points, euler_);
   }
 
   void set_motions(const RigidTransform& start, const std::vector<RigidMotion>& open) {
@@ -170,6 +172,7 @@ public:
   unsigned GetNumberOfParameters() const override { return unsigned(open_.size()); }
 
 private:
+  ScalarImage target_, source_;
   Metric::Pointer metric_;
   itk::Euler3DTransform<double>::Pointer euler_;
   RigidTransform start_;
@@ -233,9 +236,8 @@ IntensityAlignment align_intensities(const MaskedImage& target, const MaskedImag
   const auto information = Information::New();
   information->set_motions(start, open);
   for (const Level& level : levels) {
-    const ScalarImage target_level = at_level(target_image, level.edge);
-    const ScalarImage source_level = at_level(source_image, level.edge);
-    information->set_images(target_level, source_level, points_in(target.mask, level.n_points));
+    information->set_images(at_level(target_image, level.edge), at_level(source_image, level.edge),
+                            points_in(target.mask, level.n_points));
     if (open.empty())
       continue;
     if (&level == levels && search_distance > 0.)

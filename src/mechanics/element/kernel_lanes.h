@@ -63,9 +63,9 @@ struct FourDoubles {
   }
   // x = m 2^e with m in [sqrt(1/2), sqrt(2)); see logarithm().
   PROSUP_INLINE static void split(Value x, Value& m, Value& e) {
-    typedef std::int64_t Bits __attribute__((vector_size(32)));
-    constexpr std::int64_t sqrt_half = 0x3fe6a09e667f3bcd, one = 0x3ff0000000000000;
-    constexpr std::int64_t mantissa = 0x000fffffffffffff, two_52 = 0x4330000000000000;
+    typedef std::uint64_t Bits __attribute__((vector_size(32)));
+    constexpr std::uint64_t sqrt_half = 0x3fe6a09e667f3bcd, one = 0x3ff0000000000000;
+    constexpr std::uint64_t mantissa = 0x000fffffffffffff, two_52 = 0x4330000000000000;
     Bits bits = reinterpret_cast<Bits>(x) + (one - sqrt_half);
     // x is positive, so that the shifted bits are the exponent alone.
     e = reinterpret_cast<Value>((bits >> 52) | two_52) - (4503599627370496. + 1023.);
@@ -99,9 +99,9 @@ struct EightDoubles {
                          __builtin_shufflevector(z, z, 4, 5, 6, 7));
   }
   PROSUP_INLINE static void split(Value x, Value& m, Value& e) {
-    typedef std::int64_t Bits __attribute__((vector_size(64)));
-    constexpr std::int64_t sqrt_half = 0x3fe6a09e667f3bcd, one = 0x3ff0000000000000;
-    constexpr std::int64_t mantissa = 0x000fffffffffffff, two_52 = 0x4330000000000000;
+    typedef std::uint64_t Bits __attribute__((vector_size(64)));
+    constexpr std::uint64_t sqrt_half = 0x3fe6a09e667f3bcd, one = 0x3ff0000000000000;
+    constexpr std::uint64_t mantissa = 0x000fffffffffffff, two_52 = 0x4330000000000000;
     Bits bits = reinterpret_cast<Bits>(x) + (one - sqrt_half);
     e = reinterpret_cast<Value>((bits >> 52) | two_52) - (4503599627370496. + 1023.);
     m = reinterpret_cast<Value>((bits & mantissa) + sqrt_half);
@@ -139,8 +139,11 @@ struct EightFloats {
   }
   PROSUP_INLINE static void split(Value x, Value& m, Value& e) {
     typedef std::int32_t Bits __attribute__((vector_size(32)));
+    // Lanes that are no numbers would overflow.
+    typedef std::uint32_t UnsignedBits __attribute__((vector_size(32)));
     constexpr std::int32_t sqrt_half = 0x3f3504f3, one = 0x3f800000, mantissa = 0x007fffff;
-    Bits bits = reinterpret_cast<Bits>(x) + (one - sqrt_half);
+    Bits bits = reinterpret_cast<Bits>(reinterpret_cast<UnsignedBits>(x) +
+                                       static_cast<std::uint32_t>(one - sqrt_half));
     e = __builtin_convertvector((bits >> 23) - 127, Value);
     m = reinterpret_cast<Value>((bits & mantissa) + sqrt_half);
   }
