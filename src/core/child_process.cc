@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -14,6 +15,7 @@
 #include <thread>
 
 #include "prosup/core/error.h"
+#include "prosup/core/unfinished.h"
 
 namespace prosup {
 
@@ -113,6 +115,7 @@ ChildResult run_child(const Command& command, const fs::path& log,
                       const std::vector<std::string>& variables) {
   const auto begin = std::chrono::steady_clock::now();
   const pid_t pid = start(command, log, variables);
+  const Unfinished running([pid] { kill(pid, SIGTERM); });
   ChildResult result;
   int status = 0;
   // The figure of wait4() would be at least that of this process.

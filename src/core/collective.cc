@@ -3,6 +3,8 @@
 #include <exception>
 #include <string>
 
+#include "prosup/core/exception_text.h"
+
 namespace prosup {
 
 namespace {
@@ -24,7 +26,7 @@ void on_every_rank(MPI_Comm communicator, const std::function<void()>& work) {
     work();
   } catch (const std::exception& exception) {
     first_failed = rank;
-    message = exception.what();
+    message = text_of(exception);
   }
   MPI_Allreduce(MPI_IN_PLACE, &first_failed, 1, MPI_INT, MPI_MIN, communicator);
   if (first_failed == nobody)

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "prosup/core/error.h"
+#include "prosup/core/exception_text.h"
 #include "prosup/core/text.h"
 
 namespace prosup {
@@ -35,10 +36,7 @@ std::string with_readable_pattern(const std::string& text) {
 std::string as_clause(const ExceptionBase& exception) {
   std::ostringstream text;
   exception.print_info(text);
-  std::istringstream words(text.str());
-  std::string line, word;
-  while (words >> word)
-    line += (line.empty() ? "" : " ") + word;
+  std::string line = on_one_line(text.str());
   while (!line.empty() && line.back() == '.')
     line.pop_back();
   return with_readable_pattern(line);
@@ -113,6 +111,7 @@ void resolve_files(ParameterHandler& parameters, const std::string& section,
 void write_parameters(const ParameterHandler& parameters, const std::filesystem::path& file) {
   std::ofstream out(file);
   parameters.print_parameters(out, ParameterHandler::PRM | ParameterHandler::KeepDeclarationOrder);
+  out.close();
   if (!out)
     throw Error("The parameters cannot be written to '" + file.string() +
                 "'; choose a folder that exists and can be written.");

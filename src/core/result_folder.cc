@@ -1,8 +1,7 @@
 #include "prosup/core/result_folder.h"
 
-#include <unistd.h>
-
 #include "prosup/core/error.h"
+#include "result_replacement.h"
 
 namespace prosup {
 
@@ -10,47 +9,91 @@ namespace fs = std::filesystem;
 
 namespace {
 
-fs::path without_trailing_slash(const fs::path& path) {
-  return path.has_filename() ? path : path.parent_path();
+fs::path unfinished_inside(const fs::path& target) {
+  return target / unfinished_name(target, "prosup");
+}
+
+fs::path unfinished_beside(const fs::path& target) {
+  return target.parent_path() / unfinished_name(target.parent_path(), target.filename().string());
+}
+
+bool is_folder(const fs::path& path) {
+  std::error_code error;
+  return fs::is_directory(path, error);
 }
 
 } // namespace
 
-ResultFolder::ResultFolder(const fs::path& target)
-    : target_(without_trailing_slash(fs::absolute(target).lexically_normal())) {
+ResultFolder::ResultFolder(ResultTarget target, std::vector<std::string> names)
+    : target_(std::move(target)), names_(std::move(names)) {
+  const std::string given = target_.folder.string();
+  target_.folder = without_links(target_.folder);
   std::error_code error;
-  if (fs::exists(target_) && !fs::is_directory(target_))
-    throw Error("The output folder '" + target.string() +
+  if (fs::exists(target_.folder, error) && !is_folder(target_.folder))
+    throw Error("The output folder '" + given +
                 "' is a file; give the name of a folder with --output.");
-  if (fs::exists(target_) && !fs::is_empty(target_) && !fs::exists(target_ / "summary.json"))
-    throw Error("The output folder '" + target.string() +
-                "' exists and holds no earlier result (no summary.json); choose another folder "
-                "with --output or empty this one.");
-  fs::create_directories(target_.parent_path(), error);
-  temporary_ = target_.parent_path() /
-               ("." + target_.filename().string() + ".incomplete-" + std::to_string(getpid()));
-  fs::remove_all(temporary_, error);
-  fs::create_directory(temporary_, error);
+  const bool is_there = is_folder(target_.folder);
+  if (is_there)
+    ResultReplacement(target_).check(names_);
+  else
+    fs::create_directories(target_.folder.parent_path(), error);
   if (error)
-    throw Error("The folder for results '" + temporary_.string() +
-                "' cannot be created: " + error.message() + "; choose another with --output.");
+    throw Error("The output folder '" + given + "' cannot be created (" + error.message() +
+                "); choose another with --output.");
+  if (const fs::path beside = unfinished_beside(target_.folder); is_there && is_folder(beside))
+    const FolderLock other(beside, given); // a run that began before the folder was there
+  lock_ = std::make_unique<FolderLock>(
+      is_there ? unfinished_inside(target_.folder) : unfinished_beside(target_.folder), given);
+  unfinished_ = std::make_unique<Unfinished>([this] { lock_->clear(); });
 }
 
 ResultFolder::~ResultFolder() {
-  std::error_code ignored;
-  if (!committed_)
-    fs::remove_all(temporary_, ignored);
+  const auto lock = uninterrupted();
+  unfinished_.reset();
+  lock_.reset();
 }
 
 void ResultFolder::commit() {
-  std::error_code error;
-  fs::remove_all(target_, error);
-  if (!error)
-    fs::rename(temporary_, target_, error);
-  if (error)
-    throw Error("The results in '" + temporary_.string() + "' cannot be moved to '" +
-                target_.string() + "': " + error.message() + ".");
-  committed_ = true;
+  const auto lock = uninterrupted();
+  const fs::path& folder = target_.folder;
+  if (!is_folder(folder)) {
+    ResultMarker::of(path()).write(path());
+    std::error_code error;
+    fs::rename(path(), folder, error);
+    if (error && !is_folder(folder))
+      throw Error("The results cannot be moved to '" + folder.string() + "' (" + error.message() +
+                  "); choose another folder with --output.");
+  }
+  if (is_folder(path())) { // the target is there, maybe since a moment ago
+    std::unique_ptr<FolderLock> there;
+    if (lock_->folder() != unfinished_inside(folder))
+      there = std::make_unique<FolderLock>(unfinished_inside(folder), folder.string());
+    const ResultReplacement replacement(target_);
+    try {
+      replacement.check(ResultMarker::of(path()).names());
+    } catch (const Error& error) {
+      keep_aside(error.what());
+    }
+    replacement.move_in(path());
+  }
+  unfinished_.reset();
+  lock_.reset();
+}
+
+void ResultFolder::keep_aside(const std::string& reason) const {
+  fs::path place;
+  for (unsigned n = 1; n == 1 || fs::exists(fs::symlink_status(place)); ++n)
+    place = target_.folder / ("prosup-result-" + std::to_string(n));
+  ResultMarker::of(path()).write(path());
+  fs::rename(path(), place);
+  throw Error(reason.substr(0, reason.rfind(';')) + "; the results are in '" + place.string() +
+              "' instead.");
+}
+
+bool ResultFolder::clear_leftover(const fs::path& folder) {
+  const fs::path target = without_links(folder);
+  const bool inside = FolderLock::clear_leftover(unfinished_inside(target));
+  return FolderLock::clear_leftover(unfinished_beside(target)) || inside;
 }
 
 } // namespace prosup

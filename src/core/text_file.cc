@@ -7,8 +7,9 @@
 namespace prosup {
 
 void write_text_file(const std::string& text, const std::filesystem::path& file) {
-  std::ofstream stream(file);
+  std::ofstream stream(file, std::ios::binary);
   stream << text << std::flush;
+  stream.close(); // where some file systems notice that they are full
   if (!stream)
     throw_cannot_write(file);
 }

@@ -30,7 +30,7 @@ std::string cells(const ErrorStatistics& s) {
 void write_observer_tables(const std::vector<ObserverRow>& rows,
                            const std::vector<ObserverDistance>& distances,
                            const std::filesystem::path& file) {
-  std::string text = "quantity,observer,landmarks,n,mean_mm,std_mm,max_mm\n";
+  std::string text = std::string(observer_tables_header) + "\n";
   for (const ObserverRow& row : rows) {
     text += csv_row("initial_distance", row.observer, row.selection, row.initial);
     text += csv_row("registration_error", row.observer, row.selection, row.error);

@@ -43,7 +43,7 @@ std::vector<NamedPoint> read_points(const std::filesystem::path& file) {
 }
 
 void write_points(const std::vector<NamedPoint>& points, const std::filesystem::path& file) {
-  std::string text = "id,x,y,z\n";
+  std::string text = std::string(points_header) + "\n";
   for (const NamedPoint& point : points)
     text += csv::quoted(point.id) + "," +
             csv::coordinates(point.position, "point '" + point.id + "'") + "\n";

@@ -1,15 +1,41 @@
 #include <itkImageFileWriter.h>
+#include <itkNiftiImageIO.h>
+#include <itkNrrdImageIO.h>
 
+#include <array>
+#include <fstream>
+
+#include "completeness.h"
 #include "file_formats.h"
 #include "itk_bridge.h"
 #include "prosup/core/error.h"
 #include "prosup/core/log.h"
+#include "prosup/core/text_file.h"
 #include "prosup/image/image_io.h"
 #include "voxel_checks.h"
 
 namespace prosup::image {
 
 namespace {
+
+/// Makes sure that a file that `io` has written is whole: the libraries below ITK do not tell that
+/// a disk is full. A compressed file ends with the length of what was compressed, modulo 2^32.
+void check_written(const itk::ImageIOBase& io, const std::filesystem::path& file) {
+  constexpr std::uintmax_t nifti_header = 352;
+  std::uintmax_t length = std::uintmax_t(io.GetImageSizeInBytes());
+  if (dynamic_cast<const itk::NiftiImageIO*>(&io) != nullptr && file.extension() == ".gz")
+    length += nifti_header;
+  else if (dynamic_cast<const itk::NrrdImageIO*>(&io) == nullptr)
+    return check_complete(io, file);
+  std::ifstream stream(file, std::ios::binary);
+  std::array<char, 4> end{};
+  stream.seekg(-4, std::ios::end).read(end.data(), end.size());
+  std::uint32_t found = 0;
+  for (unsigned i = 0; i < 4; ++i)
+    found |= std::uint32_t(static_cast<unsigned char>(end[i])) << 8 * i;
+  if (!stream || found != static_cast<std::uint32_t>(length))
+    throw_cannot_write(file);
+}
 
 template <typename T>
 void write(const VoxelImage<T>& image, const itk::ImageIOBase::Pointer& io,
@@ -27,6 +53,7 @@ void write(const VoxelImage<T>& image, const itk::ImageIOBase::Pointer& io,
     throw Error(format("'%s' cannot be written (%s); check permissions and free space.",
                        file.string().c_str(), one_line(exception.GetDescription()).c_str()));
   }
+  check_written(*io, file);
 }
 
 } // namespace

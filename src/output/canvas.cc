@@ -6,6 +6,7 @@
 #include <vtkPNGWriter.h>
 #include <vtkStdString.h>
 #include <vtkTextProperty.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <cmath>
 
@@ -69,11 +70,13 @@ void Canvas::write_png(const std::filesystem::path& file) const {
   vtkNew<vtkPNGWriter> writer;
   vtkNew<VtkErrors> errors;
   errors->listen_to(*writer);
-  writer->SetFileName(file.c_str());
+  writer->WriteToMemoryOn(); // VTK does not notice that a disk is full
   writer->SetInputData(image);
   writer->Write();
   if (errors->any() || writer->GetErrorCode() != 0)
     throw_cannot_write(file);
+  vtkUnsignedCharArray& bytes = *writer->GetResult();
+  write_text_file(std::string(bytes.Begin(), bytes.End()), file);
 }
 
 } // namespace prosup::output

@@ -100,10 +100,12 @@ void write_vtu(vtkUnstructuredGrid* grid, const std::filesystem::path& file) {
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
   vtkNew<VtkErrors> errors;
   errors->listen_to(*writer);
-  writer->SetFileName(file.c_str());
+  // VTK does not notice that a disk is full.
+  writer->WriteToOutputStringOn();
   writer->SetInputData(grid);
   if (writer->Write() == 0 || errors->any())
     throw_cannot_write(file);
+  write_text_file(writer->GetOutputString(), file);
 }
 
 void write_pvd(const std::filesystem::path& folder, const std::string& name) {

@@ -3,11 +3,16 @@
 #include <CLI/CLI.hpp>
 #include <deal.II/base/mpi.h>
 
+#include <chrono>
 #include <cstdio>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "command_table.h"
+#include "prosup/core/error.h"
+#include "prosup/core/exception_text.h"
+#include "prosup/core/unfinished.h"
 #include "prosup/core/version.h"
 
 namespace prosup::pipeline {
@@ -23,10 +28,32 @@ void declare_defaults(dealii::ParameterHandler& defaults) {
 }
 
 int report(const std::string& message, MPI_Comm world) {
+  // After a signal the error is that files are gone, and this waits for the end of the program.
+  const auto lock = uninterrupted();
   if (dealii::Utilities::MPI::this_mpi_process(world) == 0)
     std::fprintf(stderr, "prosup: %s\n", message.c_str());
   return failure;
 }
+
+/// For exceptions that, unlike an Error, may have come on this rank only: the others would wait for
+/// it. They have a moment to come to the same end, so that rank 0 tells it if it can.
+int report_and_end_all(const std::exception& exception, MPI_Comm world) {
+  if (dealii::Utilities::MPI::n_mpi_processes(world) == 1)
+    return report(text_of(exception), world);
+  const unsigned rank = dealii::Utilities::MPI::this_mpi_process(world);
+  if (rank > 0)
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  abandon_unfinished();
+  std::fprintf(stderr, "prosup: %s (Rank %u.)\n", text_of(exception).c_str(), rank);
+  MPI_Abort(world, failure);
+  return failure;
+}
+
+/// What --help says of the exit code.
+constexpr const char* exit_codes =
+    "Exit codes: 0 success; 1 wrong input, or no memory or space on the disk: nothing was written; "
+    "2 results were written, but a simulation did not settle; 128 + N ended by signal N: nothing "
+    "was written. One line on standard error says why.";
 
 /// The sentence for a command line without a command that exists.
 std::string no_command(const CLI::App& app) {
@@ -65,6 +92,7 @@ int run_command_line(int argc, char** argv, MPI_Comm world) {
   CLI::App app{"Aligns a prone and a supine breast image by finite elements.", "prosup"};
   app.set_version_flag("--version", version());
   app.require_subcommand(1);
+  app.footer(exit_codes);
   dealii::ParameterHandler defaults;
   declare_defaults(defaults);
   Request request;
@@ -73,19 +101,24 @@ int run_command_line(int argc, char** argv, MPI_Comm world) {
     CLI::App& subcommand = *app.add_subcommand(command.name, command.text);
     command.add_options(subcommand, defaults, request);
     subcommand.set_version_flag("--version", version());
+    subcommand.footer(exit_codes);
   }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return answer(app, error, world);
+  } catch (const std::exception& error) { // the same on all ranks
+    return report(text_of(error), world);
   }
   try {
     for (const Command& command : commands)
       if (app.got_subcommand(command.name))
         return command.run(request, world) ? success : not_settled;
     return failure;
-  } catch (const std::exception& error) {
+  } catch (const Error& error) {
     return report(error.what(), world);
+  } catch (const std::exception& error) {
+    return report_and_end_all(error, world);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "prosup/core/file_system.h"
 #include "prosup/core/text.h"
 #include "prosup/registration/breast_model.h"
 #include "prosup/similarity/similarity_parameters.h"
@@ -11,8 +12,6 @@
 namespace prosup::pipeline {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 /// An option that stands for one parameter.
 struct ParameterOption {
@@ -46,10 +45,6 @@ const ParameterOption& find(const std::string& name) {
                        [&](const ParameterOption& option) { return option.name == name; });
 }
 
-std::string absolute_path(const std::string& file) {
-  return fs::absolute(file).lexically_normal().string();
-}
-
 } // namespace
 
 OptionNames all_parameter_options() {
@@ -63,6 +58,8 @@ void add_parameter_options(CLI::App& command, const OptionNames& names,
                            const dealii::ParameterHandler& defaults, ParameterOptions& options) {
   command.add_option("FILE", options.file, "Parameter file (.prm)");
   command.add_option("--output", options.output, "Folder for the results")->capture_default_str();
+  command.add_flag("--overwrite", options.overwrite,
+                   "Replace also files that prosup did not write or that changed since");
   command.add_option("--set", options.overrides,
                      "Set a parameter, \"Section/Entry=value\"; may be repeated");
   command.add_option("--write-prm", options.write_prm,
@@ -74,7 +71,7 @@ void add_parameter_options(CLI::App& command, const OptionNames& names,
             option.name,
             [&options, &option](const std::string& value) {
               options.named.push_back(option.section + "/" + option.entry + "=" +
-                                      (option.is_file ? absolute_path(value) : value));
+                                      (option.is_file ? absolute_path(value).string() : value));
             },
             option.text)
         ->default_str(defaults.get({option.section}, option.entry));

@@ -19,6 +19,7 @@ namespace prosup::pipeline {
 struct ParameterOptions {
   std::filesystem::path file;
   std::filesystem::path output = "results";
+  bool overwrite = false;          ///< files that prosup did not write
   std::filesystem::path write_prm; ///< empty: run the command
   std::vector<Override> overrides; ///< of --set
   std::vector<Override> named;     ///< of options such as --chest; --set comes after them
@@ -30,9 +31,9 @@ using OptionNames = std::vector<std::string>;
 /// All of them.
 OptionNames all_parameter_options();
 
-/// Adds FILE, --output, --set, --write-prm and the options in `names` to a command. The values
-/// go to `options`, which has to outlive the parsing; `defaults` holds all parameters as they
-/// are declared, for the help.
+/// Adds FILE, --output, --overwrite, --set, --write-prm and the options in `names` to a command.
+/// The values go to `options`, which has to outlive the parsing; `defaults` holds all parameters as
+/// they are declared, for the help.
 void add_parameter_options(CLI::App& command, const OptionNames& names,
                            const dealii::ParameterHandler& defaults, ParameterOptions& options);
 

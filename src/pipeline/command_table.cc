@@ -4,7 +4,10 @@
 #include <initializer_list>
 
 #include "prosup/core/collective.h"
+#include "prosup/core/file_system.h"
+#include "prosup/core/output_file.h"
 #include "prosup/core/parameters.h"
+#include "run_files.h"
 
 namespace prosup::pipeline {
 
@@ -14,7 +17,7 @@ namespace {
 
 /// What a command with a parameter file does; see commands.h.
 using CommandFunction = bool (*)(const AllParameters&, const dealii::ParameterHandler&,
-                                 const fs::path&, MPI_Comm);
+                                 const ResultTarget&, MPI_Comm);
 
 /// Gives the parameters their values. True if there is work to do.
 bool prepare(const ParameterOptions& options, AllParameters& parameters,
@@ -24,14 +27,19 @@ bool prepare(const ParameterOptions& options, AllParameters& parameters,
   on_every_rank(world, [&] {
     read_parameters(handler, options.file, overrides);
     const fs::path folder =
-        options.file.empty() ? fs::current_path() : fs::absolute(options.file).parent_path();
+        options.file.empty() ? absolute_path(".") : absolute_path(options.file).parent_path();
     parameters.case_files.resolve(folder, handler);
     parameters.single_state.resolve(folder, handler);
     parameters.comparison.resolve(folder, handler);
   });
   if (options.write_prm.empty())
     return true;
-  on_root(world, [&] { write_parameters(handler, options.write_prm); });
+  on_root(world, [&] {
+    OutputFile file(options.write_prm,
+                    {files_read(parameters, options.file), options.overwrite, ""});
+    write_parameters(handler, file.path());
+    file.commit();
+  });
   return false;
 }
 
@@ -40,7 +48,8 @@ bool run_with_parameters(CommandFunction run, const ParameterOptions& options, M
   AllParameters parameters;
   dealii::ParameterHandler handler;
   return !prepare(options, parameters, handler, world) ||
-         run(parameters, handler, options.output, world);
+         run(parameters, handler,
+             {options.output, options.overwrite, files_read(parameters, options.file)}, world);
 }
 
 void add_map_options(CLI::App& command, MapRequest& request) {
@@ -52,6 +61,8 @@ void add_map_options(CLI::App& command, MapRequest& request) {
       .add_option("POINTS", request.points, "Points: CSV (id,x,y,z), .fcsv or .mrk.json; LPS mm")
       ->required();
   command.add_option("-o,--output", request.output, "CSV file to write")->required();
+  command.add_flag("--overwrite", request.overwrite,
+                   "Replace the output even if it is not what this command has written");
 }
 
 void add_landmark_options(CLI::App& command, LandmarkRequest& request) {
@@ -67,6 +78,8 @@ void add_landmark_options(CLI::App& command, LandmarkRequest& request) {
       ->capture_default_str()
       ->check(CLI::NonNegativeNumber);
   command.add_option("-o,--output", request.output, "CSV file to write")->required();
+  command.add_flag("--overwrite", request.overwrite,
+                   "Replace the output even if it is not what this command has written");
 }
 
 /// A command with a parameter file, and the options that it takes besides the common ones.

@@ -22,6 +22,10 @@ std::string name_of(const fs::path& folder) {
   return (path.has_filename() ? path : path.parent_path()).filename();
 }
 
+std::vector<std::string> files_written(const std::string& name) {
+  return {name + ".csv", name + ".md", name + ".svg", "summary.json", "used.prm", "logs/"};
+}
+
 /// All runs of a comparison, and what is written of them.
 class CompareJob {
 public:
@@ -33,8 +37,9 @@ public:
   }
 
   /// @returns whether the runs succeeded as far as the parameters ask for it.
-  bool run(const dealii::ParameterHandler& all, const fs::path& output) {
-    ResultFolder folder(output);
+  bool run(const dealii::ParameterHandler& all, const ResultTarget& target) {
+    const fs::path& output = target.folder;
+    ResultFolder folder(target, files_written(name_of(output)));
     write_parameters(all, folder.path() / "used.prm");
     comparison_ = {
         name_of(output),    parameters_.title,
@@ -136,7 +141,7 @@ void require_no_mpirun(MPI_Comm world) {
 } // namespace
 
 bool run_compare(const AllParameters& parameters, const dealii::ParameterHandler& all,
-                 const fs::path& output, MPI_Comm world) {
+                 const ResultTarget& output, MPI_Comm world) {
   require_no_mpirun(world);
   return CompareJob(parameters.comparison, parameters.case_files, parameters.registration.labels,
                     world)

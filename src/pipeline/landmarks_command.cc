@@ -1,8 +1,10 @@
 #include <cstdio>
 
+#include "prosup/core/output_file.h"
 #include "prosup/evaluation/observers.h"
 #include "prosup/pipeline/commands.h"
 #include "prosup/pipeline/finished_result.h"
+#include "table_output.h"
 
 namespace prosup::pipeline {
 
@@ -28,11 +30,16 @@ std::vector<LandmarkObserver> read_observers(const LandmarkRequest& request) {
 
 void run_landmarks(const LandmarkRequest& request) {
   require_finished(request.result);
+  require_csv(request.output);
+  std::vector<std::filesystem::path> inputs = request.observers;
+  inputs.push_back(request.control);
+  OutputFile output(request.output, {inputs, request.overwrite, observer_tables_header});
   const ObserverStudy study(read_observers(request), request.exclude_above);
   const auto rows =
       study.rows(read_mapper(request.result, "prone"), read_mapper(request.result, "supine"));
   const auto distances = study.distances();
-  write_observer_tables(rows, distances, request.output);
+  write_observer_tables(rows, distances, output.path());
+  output.commit();
   std::printf("%s", observer_tables(rows, distances).c_str());
   if (study.n_incomplete() > 0)
     std::printf("\nNot marked by all observers and left out: %zu.\n", study.n_incomplete());

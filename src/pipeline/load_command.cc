@@ -24,7 +24,7 @@ struct GivenMesh : mesh::MeshSource {
 class LoadJob : public SingleStateJob {
 public:
   LoadJob(const AllParameters& parameters, const dealii::ParameterHandler& all,
-          const std::filesystem::path& output, MPI_Comm world)
+          const ResultTarget& output, MPI_Comm world)
       : SingleStateJob(parameters, all, output, world, "load", "Loading") {}
 
 private:
@@ -63,7 +63,7 @@ private:
 } // namespace
 
 bool run_load(const AllParameters& parameters, const dealii::ParameterHandler& all,
-              const std::filesystem::path& output, MPI_Comm world) {
+              const ResultTarget& output, MPI_Comm world) {
   const std::string& method = parameters.model().simulation.method;
   if (method != "fe")
     throw Error("'Simulation/Method' is " + method +

@@ -1,9 +1,11 @@
 #include <cstdio>
 
+#include "prosup/core/output_file.h"
 #include "prosup/evaluation/point_mapper.h"
 #include "prosup/evaluation/points.h"
 #include "prosup/pipeline/commands.h"
 #include "prosup/pipeline/finished_result.h"
+#include "table_output.h"
 
 namespace prosup::pipeline {
 
@@ -18,6 +20,9 @@ constexpr double far_outside = 2.; // mm: more than the mesh's own error at the 
 
 void run_map(const MapRequest& request) {
   require_finished(request.result);
+  require_csv(request.output);
+  OutputFile output(request.output,
+                    {{request.points}, request.overwrite, evaluation::points_header});
   std::vector<evaluation::NamedPoint> points = evaluation::read_points(request.points);
   std::size_t n_outside = 0;
   const auto apply = [&](const PointMapper& mapper, evaluation::Configuration from) {
@@ -36,7 +41,8 @@ void run_map(const MapRequest& request) {
                  "prosup: %zu times a point lay more than %g mm outside the mesh; it was moved "
                  "with the closest point of the mesh.\n",
                  n_outside, far_outside);
-  evaluation::write_points(points, request.output);
+  evaluation::write_points(points, output.path());
+  output.commit();
 }
 
 } // namespace prosup::pipeline

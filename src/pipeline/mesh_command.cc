@@ -22,7 +22,7 @@ std::string report(const mesh::MeshQuality& quality) {
 } // namespace
 
 bool run_mesh(const AllParameters& parameters, const dealii::ParameterHandler& all,
-              const std::filesystem::path& output, MPI_Comm world) {
+              const ResultTarget& output, MPI_Comm world) {
   ResultRun run("mesh", all, output, world);
   const CaseParameters& given = parameters.case_files;
   const Position position = given.position();

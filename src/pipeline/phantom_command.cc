@@ -36,7 +36,7 @@ struct PhantomImage {
 class PhantomJob {
 public:
   PhantomJob(const AllParameters& all, const dealii::ParameterHandler& handler,
-             const fs::path& output, MPI_Comm world)
+             const ResultTarget& output, MPI_Comm world)
       : all_(all), parameters_(all.phantom), geometry_(all.phantom.anatomy.geometry), world_(world),
         run_("phantom", handler, output, world) {}
 
@@ -184,7 +184,7 @@ private:
 } // namespace
 
 bool run_phantom(const AllParameters& parameters, const dealii::ParameterHandler& all,
-                 const std::filesystem::path& output, MPI_Comm world) {
+                 const ResultTarget& output, MPI_Comm world) {
   return PhantomJob(parameters, all, output, world).run();
 }
 

@@ -47,7 +47,7 @@ output::AlignmentSummary summary_of(const registration::Alignment& alignment) {
 RegisterPipeline::RegisterPipeline(const CaseParameters& case_files,
                                    const registration::RegistrationParameters& parameters,
                                    const ResultParameters& results, const ParameterHandler& all,
-                                   const std::filesystem::path& output, MPI_Comm world)
+                                   const ResultTarget& output, MPI_Comm world)
     : case_files_(case_files), results_(results), aligns_(parameters.pre_alignment.wanted()),
       run_("register", all, output, world), registration_(parameters, world, run_.log()) {
   run_.summary().metric = parameters.similarity.metric;
@@ -182,7 +182,7 @@ void RegisterPipeline::write() {
 }
 
 bool run_register(const AllParameters& parameters, const ParameterHandler& all,
-                  const std::filesystem::path& output, MPI_Comm world) {
+                  const ResultTarget& output, MPI_Comm world) {
   return RegisterPipeline(parameters.case_files, parameters.registration, parameters.results, all,
                           output, world)
       .run();

@@ -5,24 +5,29 @@
 #include "prosup/core/collective.h"
 #include "prosup/core/parameters.h"
 #include "prosup/core/version.h"
+#include "run_files.h"
 
 namespace prosup::pipeline {
 
 using namespace dealii;
 
 ResultRun::ResultRun(const std::string& command, const ParameterHandler& parameters,
-                     const std::filesystem::path& output, MPI_Comm world)
-    : world_(world), parameters_(parameters), output_(output), log_(world), timer_(world, log_) {
+                     const ResultTarget& output, MPI_Comm world)
+    : world_(world), parameters_(parameters), output_(output.folder), log_(world),
+      timer_(world, log_) {
   summary_.command = command;
   summary_.ranks = Utilities::MPI::n_mpi_processes(world);
   log_.line(format("prosup %s, deal.II %s, %u rank%s", version(), dealii_version(), summary_.ranks,
                    summary_.ranks == 1 ? "" : "s"));
   std::string path;
   on_root(world_, [&] {
-    result_ = std::make_unique<ResultFolder>(output);
+    result_ = std::make_unique<ResultFolder>(output, files_written(command, parameters));
     path = result_->path().string();
   });
   folder_ = Utilities::MPI::broadcast(world_, path);
+  // If rank 0 was killed, the others clear away what it has left.
+  if (result_ == nullptr)
+    unfinished_ = std::make_unique<Unfinished>([this] { ResultFolder::clear_leftover(output_); });
 }
 
 bool ResultRun::finish(const std::string& report) {

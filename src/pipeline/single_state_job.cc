@@ -23,8 +23,8 @@ constexpr const char* meshing = "Meshing";
 } // namespace
 
 SingleStateJob::SingleStateJob(const AllParameters& parameters, const dealii::ParameterHandler& all,
-                               const fs::path& output, MPI_Comm world, const std::string& command,
-                               std::string simulation)
+                               const ResultTarget& output, MPI_Comm world,
+                               const std::string& command, std::string simulation)
     : parameters_(parameters), position_(parameters.case_files.position()),
       name_(name_of(position_)), world_(world), simulation_(std::move(simulation)),
       run_(command, all, output, world) {

@@ -24,7 +24,7 @@ public:
 protected:
   /// `command` is its name and `simulation` what its main stage is called.
   SingleStateJob(const AllParameters& parameters, const dealii::ParameterHandler& all,
-                 const std::filesystem::path& output, MPI_Comm world, const std::string& command,
+                 const ResultTarget& output, MPI_Comm world, const std::string& command,
                  std::string simulation);
 
   /// Reads labels and image, on rank 0.

@@ -10,7 +10,7 @@ namespace {
 class UnloadJob : public SingleStateJob {
 public:
   UnloadJob(const AllParameters& parameters, const dealii::ParameterHandler& all,
-            const std::filesystem::path& output, MPI_Comm world)
+            const ResultTarget& output, MPI_Comm world)
       : SingleStateJob(parameters, all, output, world, "unload", "Unloading") {}
 
 private:
@@ -36,7 +36,7 @@ private:
 } // namespace
 
 bool run_unload(const AllParameters& parameters, const dealii::ParameterHandler& all,
-                const std::filesystem::path& output, MPI_Comm world) {
+                const ResultTarget& output, MPI_Comm world) {
   return UnloadJob(parameters, all, output, world).run();
 }
 

@@ -80,6 +80,10 @@ private:
   std::size_t n_incomplete_ = 0;
 };
 
+/// The first line of what write_observer_tables() writes.
+constexpr const char* observer_tables_header =
+    "quantity,observer,landmarks,n,mean_mm,std_mm,max_mm";
+
 /// Writes both tables to one CSV file with the columns quantity (initial_distance,
 /// registration_error, observer_distance_prone or observer_distance_supine), observer,
 /// landmarks (all or reliable), n, mean_mm, std_mm and max_mm.

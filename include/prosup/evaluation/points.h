@@ -27,6 +27,9 @@ struct NamedPoint {
 /// @throws Error that names the file, the line or point, and what is allowed.
 std::vector<NamedPoint> read_points(const std::filesystem::path& file);
 
+/// The first line of what write_points() writes.
+constexpr const char* points_header = "id,x,y,z";
+
 /// Writes points as CSV with the columns id, x, y, z; LPS mm, to 1e-6 mm.
 /// @throws Error if a coordinate is not finite or the file cannot be written.
 void write_points(const std::vector<NamedPoint>& points, const std::filesystem::path& file);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "prosup/core/result_folder.h"
 #include "prosup/pipeline/all_parameters.h"
 
 namespace prosup::pipeline {
@@ -18,35 +19,36 @@ namespace prosup::pipeline {
 
 /// `prosup register`: both images and masks to the registered unloaded pair.
 bool run_register(const AllParameters& parameters, const dealii::ParameterHandler& all,
-                  const std::filesystem::path& output, MPI_Comm world);
+                  const ResultTarget& output, MPI_Comm world);
 
 /// `prosup mesh`: the mask of one position to a mesh, with a quality report.
 bool run_mesh(const AllParameters& parameters, const dealii::ParameterHandler& all,
-              const std::filesystem::path& output, MPI_Comm world);
+              const ResultTarget& output, MPI_Comm world);
 
 /// `prosup unload`: one breast to its unloaded configuration.
 bool run_unload(const AllParameters& parameters, const dealii::ParameterHandler& all,
-                const std::filesystem::path& output, MPI_Comm world);
+                const ResultTarget& output, MPI_Comm world);
 
 /// `prosup load`: one unloaded breast to its loaded configuration.
 bool run_load(const AllParameters& parameters, const dealii::ParameterHandler& all,
-              const std::filesystem::path& output, MPI_Comm world);
+              const ResultTarget& output, MPI_Comm world);
 
 /// `prosup phantom`: images of a numerical phantom, with their truth.
 bool run_phantom(const AllParameters& parameters, const dealii::ParameterHandler& all,
-                 const std::filesystem::path& output, MPI_Comm world);
+                 const ResultTarget& output, MPI_Comm world);
 
 /// `prosup compare`: the runs of section Comparison, each as a process of its own, with tables and
 /// a picture that bear the name of the output folder. For one rank, without mpirun.
 /// @throws Error if a peer is not installed, or if all runs fail (after writing).
 bool run_compare(const AllParameters& parameters, const dealii::ParameterHandler& all,
-                 const std::filesystem::path& output, MPI_Comm world);
+                 const ResultTarget& output, MPI_Comm world);
 
 /// What `prosup map` is asked for.
 struct MapRequest {
   std::filesystem::path result; ///< folder of a finished registration
   std::string from, to;         ///< prone, supine or unloaded
   std::filesystem::path points, output;
+  bool overwrite = false; ///< an output that prosup did not write
 };
 
 /// `prosup map`: points from one state to another with a finished registration.
@@ -60,6 +62,7 @@ struct LandmarkRequest {
   std::filesystem::path control; ///< may be empty
   double exclude_above = 10.;    ///< mm, as in the paper
   std::filesystem::path output;
+  bool overwrite = false; ///< an output that prosup did not write
 };
 
 /// `prosup landmarks`: errors of a finished registration at the landmarks of

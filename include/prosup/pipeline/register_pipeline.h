@@ -20,11 +20,11 @@ namespace prosup::pipeline {
 /// a result folder. run() reads like the data flow. Collective on `world`.
 class RegisterPipeline {
 public:
-  /// Keeps references to all but the folder. `all` has the values of all parameters, for used.prm.
+  /// Keeps references to all but the target. `all` has the values of all parameters, for used.prm.
   RegisterPipeline(const CaseParameters& case_files,
                    const registration::RegistrationParameters& parameters,
                    const ResultParameters& results, const dealii::ParameterHandler& all,
-                   const std::filesystem::path& output, MPI_Comm world);
+                   const ResultTarget& output, MPI_Comm world);
 
   /// @returns whether all simulations settled. The result folder is written either way, and says
   /// so. @throws Error if there is no result.

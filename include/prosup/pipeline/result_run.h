@@ -21,9 +21,9 @@ namespace prosup::pipeline {
 class ResultRun {
 public:
   /// Says what runs, and makes the temporary folder. `parameters` go to used.prm; keeps a
-  /// reference to them. @throws Error if the folder cannot be made.
+  /// reference to them. @throws Error as ResultFolder does.
   ResultRun(const std::string& command, const dealii::ParameterHandler& parameters,
-            const std::filesystem::path& output, MPI_Comm world);
+            const ResultTarget& output, MPI_Comm world);
 
   const Log& log() const { return log_; }
   /// Where the files go until finish(); the same on all ranks.
@@ -49,7 +49,8 @@ private:
   const std::filesystem::path output_;
   const Log log_;
   StageTimer timer_;
-  std::unique_ptr<ResultFolder> result_; // on rank 0
+  std::unique_ptr<ResultFolder> result_;   // on rank 0
+  std::unique_ptr<Unfinished> unfinished_; // on the others
   std::filesystem::path folder_;
   output::Summary summary_;
 };

@@ -1,0 +1,96 @@
+// What has to be in order before the libraries are initialised, that is, before main().
+
+#include "start_up.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cctype>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <initializer_list>
+
+namespace prosup {
+
+namespace {
+
+constexpr long most_threads = 65536; // more are no wish but a mistake
+
+/// Value of the variable in "NAME=value"; null if it has another name.
+const char* value_of(const char* variable, const char* name) {
+  const std::size_t length = std::strlen(name);
+  return std::strncmp(variable, name, length) == 0 && variable[length] == '='
+             ? variable + length + 1
+             : nullptr;
+}
+
+const char* find(char** variables, const char* name) {
+  for (char** variable = variables; *variable != nullptr; ++variable)
+    if (const char* value = value_of(*variable, name))
+      return value;
+  return nullptr;
+}
+
+bool is_first_rank(char** variables) {
+  for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"})
+    if (const char* rank = find(variables, name))
+      return std::strcmp(rank, "0") == 0;
+  return true;
+}
+
+/// Whether a value is a number of threads, or, for OpenMP, several with commas between.
+bool is_number_of_threads(const char* value, bool may_be_list) {
+  char* end = nullptr;
+  const long number = std::strtol(value, &end, 10);
+  while (std::isspace(static_cast<unsigned char>(*end)) != 0)
+    ++end;
+  if (end == value || number < 1 || number > most_threads)
+    return false;
+  return *end == '\0' || (may_be_list && *end == ',' && is_number_of_threads(end + 1, true));
+}
+
+/// deal.II reads its variable while it is loaded, and ends the program if it is no number.
+void take_out_wrong_numbers_of_threads(char** variables) {
+  for (const char* name : {"DEAL_II_NUM_THREADS", "OMP_NUM_THREADS"})
+    for (char** variable = variables; *variable != nullptr;) {
+      const char* value = value_of(*variable, name);
+      if (value == nullptr || is_number_of_threads(value, name[0] == 'O')) {
+        ++variable;
+        continue;
+      }
+      if (is_first_rank(variables))
+        std::fprintf(stderr,
+                     "prosup: The environment variable %s is '%.80s', which is no number of "
+                     "threads; it is ignored.\n",
+                     name, value);
+      for (char** next = variable; *next != nullptr; ++next)
+        next[0] = next[1];
+    }
+}
+
+/// A file that is opened later would get the number of a standard stream that is closed, and what
+/// is printed would go into it.
+void open_standard_streams() {
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(descriptor, F_GETFD) < 0 &&
+        open("/dev/null", descriptor == STDIN_FILENO ? O_RDONLY : O_WRONLY) < 0)
+      return; // there is no /dev/null
+}
+
+void start_up(int, char**, char** variables) {
+  open_standard_streams();
+  take_out_wrong_numbers_of_threads(variables);
+}
+
+// The linker runs these before the initialisation of any library.
+__attribute__((section(".preinit_array"), used)) void (*const at_start)(int, char**,
+                                                                        char**) = start_up;
+
+} // namespace
+
+bool is_first_rank() {
+  return is_first_rank(environ);
+}
+
+} // namespace prosup
