@@ -37,7 +37,7 @@ void check_header(const itk::ImageIOBase& io, unsigned n_components, const std::
 }
 
 template <typename T>
-VoxelImage<T> read(const std::filesystem::path& path) {
+VoxelImage<T> read(const std::filesystem::path& path, Remarks& /*remarks*/) {
   const std::string file = path.string();
   const QuietItk quiet;
   const auto io = format_for_reading(path);
@@ -68,16 +68,27 @@ VoxelImage<T> read(const std::filesystem::path& path) {
 
 } // namespace
 
+ScalarImage read_image(const std::filesystem::path& file, Remarks& remarks) {
+  return read<float>(file, remarks);
+}
+
 ScalarImage read_image(const std::filesystem::path& file) {
-  return read<float>(file);
+  Remarks untold;
+  return read_image(file, untold);
 }
 
 VectorImage read_displacement(const std::filesystem::path& file) {
-  return read<std::array<float, 3>>(file);
+  Remarks untold;
+  return read<std::array<float, 3>>(file, untold);
 }
 
 LabelImage read_labels(const std::filesystem::path& file) {
-  const ScalarImage values = read_image(file);
+  Remarks untold;
+  return read_labels(file, untold);
+}
+
+LabelImage read_labels(const std::filesystem::path& file, Remarks& remarks) {
+  const ScalarImage values = read_image(file, remarks);
   LabelImage labels(values.grid);
   for (std::size_t v = 0; v < values.values.size(); ++v) {
     const float value = values.values[v];

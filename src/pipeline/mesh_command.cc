@@ -31,7 +31,7 @@ bool run_mesh(const AllParameters& parameters, const dealii::ParameterHandler& a
   run.stage("Reading", [&] {
     on_root(world, [&] {
       given.require_labels(position);
-      labels = parameters.registration.images.read_labels(given.files(), position);
+      labels = parameters.registration.images.read_labels(given.files(), position, run.remarks());
     });
   });
   run.stage("Meshing",

@@ -78,7 +78,7 @@ void RegisterPipeline::read() {
     case_files_.require_pair();
     landmarks_.read(case_files_);
   });
-  registration_.read(case_files_.files());
+  registration_.read(case_files_.files(), run_.remarks());
   run_.summary().tre.initial = landmarks_.initial();
 }
 
@@ -158,7 +158,7 @@ void RegisterPipeline::write_on_root() {
       found_.meshes.prone.mesh.points, evaluation::PointMapper(found_.meshes.prone),
       evaluation::PointMapper(found_.meshes.supine));
   if (!found_.converged)
-    summary.warnings.push_back("a simulation did not settle within 'Unloading/Maximum steps'");
+    run_.remarks().add("A simulation did not settle within 'Unloading/Maximum steps'.");
   landmarks_.write(folder / "landmarks.csv");
   output::write_convergence(convergence_, folder / "convergence.csv");
   if (results_.pictures)

@@ -13,7 +13,7 @@ using namespace dealii;
 
 ResultRun::ResultRun(const std::string& command, const ParameterHandler& parameters,
                      const ResultTarget& output, MPI_Comm world)
-    : world_(world), parameters_(parameters), output_(output.folder), log_(world),
+    : world_(world), parameters_(parameters), output_(output.folder), log_(world), remarks_(log_),
       timer_(world, log_) {
   summary_.command = command;
   summary_.ranks = Utilities::MPI::n_mpi_processes(world);
@@ -34,14 +34,13 @@ bool ResultRun::finish(const std::string& report) {
   summary_.peak_memory = peak_memory(world_);
   on_root(world_, [&] {
     summary_.time.total = timer_.total();
+    summary_.warnings = remarks_.all();
     write_parameters(parameters_, folder_ / "used.prm");
     output::write_summary(summary_, folder_ / "summary.json");
     result_->commit();
     log_.line("\n" + timer_.table());
     if (!report.empty())
       log_.line("\n" + report);
-    for (const std::string& warning : summary_.warnings)
-      log_.line("Warning: " + warning);
     log_.line("\nResults are in " + output_.string());
   });
   return Utilities::MPI::broadcast(world_, static_cast<int>(summary_.converged)) != 0;

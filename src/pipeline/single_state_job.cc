@@ -47,11 +47,12 @@ void SingleStateJob::read() {
   const registration::InputReader& images = parameters_.registration.images;
   landmarks_.read(given);
   given.require_labels(position_);
-  scene_.labels[position_] = images.read_labels(given.files(), position_);
+  scene_.labels[position_] = images.read_labels(given.files(), position_, run_.remarks());
   if (!given.files().labels[other(position_)].empty() &&
       parameters_.model().supports.need_other_labels())
-    scene_.labels[other(position_)] = images.read_labels(given.files(), other(position_));
-  original_ = images.read_image(given.files(), position_);
+    scene_.labels[other(position_)] =
+        images.read_labels(given.files(), other(position_), run_.remarks());
+  original_ = images.read_image(given.files(), position_, run_.remarks());
 }
 
 void SingleStateJob::build() {

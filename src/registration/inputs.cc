@@ -81,9 +81,10 @@ double InputReader::isotropic_edge(const image::VoxelGrid& grid) const {
   return longest <= largest_anisotropy * shortest ? 0. : std::max(voxel_edge_, shortest);
 }
 
-LabelImage InputReader::checked_labels(const CaseFiles& files, Position position) const {
+LabelImage InputReader::checked_labels(const CaseFiles& files, Position position,
+                                       Remarks& remarks) const {
   const std::string& file = files.labels[position];
-  LabelImage labels = placed(image::read_labels(file), files, position);
+  LabelImage labels = placed(image::read_labels(file, remarks), files, position);
   if (std::all_of(labels.values.begin(), labels.values.end(),
                   [](std::uint8_t label) { return label == 0; }))
     throw Error("The label image '" + file +
@@ -96,34 +97,36 @@ LabelImage InputReader::checked_labels(const CaseFiles& files, Position position
   return labels;
 }
 
-LabelImage InputReader::read_labels(const CaseFiles& files, Position position) const {
-  LabelImage labels = checked_labels(files, position);
+LabelImage InputReader::read_labels(const CaseFiles& files, Position position,
+                                    Remarks& remarks) const {
+  LabelImage labels = checked_labels(files, position, remarks);
   const double edge = isotropic_edge(labels.grid);
   return edge > 0. ? image::resample_isotropic(labels, edge) : labels;
 }
 
 OriginalImage InputReader::read_original(const CaseFiles& files, Position position,
-                                         const LabelImage& labels) const {
+                                         const LabelImage& labels, Remarks& remarks) const {
   const std::string& file = files.images[position];
-  ScalarImage image = placed(image::read_image(file), files, position);
+  ScalarImage image = placed(image::read_image(file, remarks), files, position);
   image::check_labels_fit(image, labels, file, files.labels[position]);
   return {std::move(image), image::select_labels(labels, labels_.tissues)};
 }
 
-std::optional<OriginalImage> InputReader::read_image(const CaseFiles& files,
-                                                     Position position) const {
+std::optional<OriginalImage> InputReader::read_image(const CaseFiles& files, Position position,
+                                                     Remarks& remarks) const {
   if (files.images[position].empty())
     return {};
   return read_original(files, position,
-                       placed(image::read_labels(files.labels[position]), files, position));
+                       placed(image::read_labels(files.labels[position], remarks), files, position),
+                       remarks);
 }
 
 LabelImage InputReader::read_excluded(const CaseFiles& files, Position position,
-                                      const ScalarImage& image) const {
+                                      const ScalarImage& image, Remarks& remarks) const {
   const std::string& file = files.excluded[position];
   if (file.empty())
     return {};
-  LabelImage mask = placed(image::read_labels(file), files, position);
+  LabelImage mask = placed(image::read_labels(file, remarks), files, position);
   image::check_labels_fit(image, mask, files.images[position], file);
   for (std::uint8_t& value : mask.values)
     value = value != 0;
@@ -131,9 +134,10 @@ LabelImage InputReader::read_excluded(const CaseFiles& files, Position position,
   return edge > 0. ? image::resample_isotropic(mask, edge) : mask;
 }
 
-void InputReader::prepare(const CaseFiles& files, Position position, Inputs& inputs) const {
-  LabelImage labels = checked_labels(files, position);
-  inputs.originals[position] = read_original(files, position, labels);
+void InputReader::prepare(const CaseFiles& files, Position position, Inputs& inputs,
+                          Remarks& remarks) const {
+  LabelImage labels = checked_labels(files, position, remarks);
+  inputs.originals[position] = read_original(files, position, labels, remarks);
   const auto& [original, breast] = inputs.originals[position];
   const image::IntensityRange range =
       image::robust_range(original, breast, low_percentile_, high_percentile_);
@@ -146,7 +150,7 @@ void InputReader::prepare(const CaseFiles& files, Position position, Inputs& inp
   }
   inputs.scene.air[position] = air_intensity(scaled, labels);
   inputs.scene.labels[position] = std::move(labels);
-  inputs.scene.excluded[position] = read_excluded(files, position, original);
+  inputs.scene.excluded[position] = read_excluded(files, position, original, remarks);
 }
 
 void InputReader::convert_contrast(Inputs& inputs) const {
@@ -172,13 +176,14 @@ void InputReader::convert_contrast(Inputs& inputs) const {
   inputs.scene.air[changed] = inputs.scene.air[other(changed)];
 }
 
-Inputs InputReader::read_pair(const CaseFiles& files, MPI_Comm communicator) const {
+Inputs InputReader::read_pair(const CaseFiles& files, MPI_Comm communicator,
+                              Remarks& remarks) const {
   Inputs inputs;
   inputs.scene.chest_label = labels_.chest;
   inputs.scene.gland_label = labels_.gland;
   on_root(communicator, [&] {
     for (const Position position : both_positions)
-      prepare(files, position, inputs);
+      prepare(files, position, inputs, remarks);
     convert_contrast(inputs);
   });
   for (const Position position : both_positions) {

@@ -16,8 +16,13 @@ Registration::Registration(const RegistrationParameters& parameters, MPI_Comm wo
       metric_(parameters.similarity.make_metric()) {}
 
 void Registration::read(const CaseFiles& files) {
+  Remarks remarks(log_);
+  read(files, remarks);
+}
+
+void Registration::read(const CaseFiles& files, Remarks& remarks) {
   files_ = files;
-  inputs_ = parameters_.images.read_pair(files, ranks_.world());
+  inputs_ = parameters_.images.read_pair(files, ranks_.world(), remarks);
   is_aligned_ = false;
   pair_.reset();
 }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "prosup/core/remarks.h"
 #include "prosup/image/voxel_image.h"
 
 namespace prosup::image {
@@ -11,14 +12,18 @@ namespace prosup::image {
 // Formats: NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr), MetaImage (.mha, .mhd).
 // Origin, spacing and direction cosines are used; coordinates are LPS, mm.
 
+// What is doubtful in a file goes to `remarks`, or is not told if none are given.
+
 /// Reads a three-dimensional image of any scalar pixel type.
 /// @throws Error if the file is missing or damaged or has another format, if the image is not
 /// three-dimensional or not scalar, if a spacing is not positive or the axes are not at right
 /// angles, or if a value is not finite.
+ScalarImage read_image(const std::filesystem::path& file, Remarks& remarks);
 ScalarImage read_image(const std::filesystem::path& file);
 
 /// Reads a label image; its values must be integers from 0 to 255.
 /// @throws Error as read_image(), or if a value is not such an integer.
+LabelImage read_labels(const std::filesystem::path& file, Remarks& remarks);
 LabelImage read_labels(const std::filesystem::path& file);
 
 /// Reads a displacement field (three components per voxel; LPS, mm) from NRRD

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "prosup/core/log.h"
+#include "prosup/core/remarks.h"
 #include "prosup/core/result_folder.h"
 #include "prosup/output/summary.h"
 #include "prosup/pipeline/stage_timer.h"
@@ -31,6 +32,9 @@ public:
   /// What finish() writes to summary.json; only that of rank 0 counts.
   output::Summary& summary() { return summary_; }
 
+  /// Says what is doubtful, and keeps it as a warning of the summary; on rank 0.
+  Remarks& remarks() { return remarks_; }
+
   /// Announces, runs and times a stage.
   void stage(const std::string& name, const std::function<void()>& work) { timer_.run(name, work); }
   /// Runs what does not count as time of the run: its evaluation.
@@ -39,8 +43,8 @@ public:
   double seconds(const std::string& name) const { return timer_.seconds(name); }
   double seconds() const { return timer_.total(); }
 
-  /// Writes used.prm and summary.json, moves the results into place, and prints the times, the
-  /// `report` and the warnings. @returns Summary::converged.
+  /// Writes used.prm and summary.json, moves the results into place, and prints the times and
+  /// the `report`. @returns Summary::converged.
   bool finish(const std::string& report = "");
 
 private:
@@ -48,6 +52,7 @@ private:
   const dealii::ParameterHandler& parameters_;
   const std::filesystem::path output_;
   const Log log_;
+  Remarks remarks_;
   StageTimer timer_;
   std::unique_ptr<ResultFolder> result_;   // on rank 0
   std::unique_ptr<Unfinished> unfinished_; // on the others

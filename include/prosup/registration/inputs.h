@@ -8,6 +8,7 @@
 #include <string>
 
 #include "prosup/core/labels.h"
+#include "prosup/core/remarks.h"
 #include "prosup/image/rigid_transform.h"
 #include "prosup/image/voxel_image.h"
 #include "prosup/registration/case_files.h"
@@ -41,25 +42,29 @@ public:
   explicit InputReader(Labels&&) = delete;
   void declare_parameters(dealii::ParameterHandler& prm) override;
 
-  /// Images and labels of both positions, the same on all ranks. Collective.
+  // What is doubtful about a file goes to `remarks`, on the rank that reads.
+
+  /// Images and labels of both positions, the same on all ranks. Rank 0 reads. Collective.
   /// @throws Error for files that are missing, unreadable or do not fit each other, and for labels
   /// that are not there.
-  Inputs read_pair(const CaseFiles& files, MPI_Comm communicator) const;
+  Inputs read_pair(const CaseFiles& files, MPI_Comm communicator, Remarks& remarks) const;
 
   /// The labels of one position, isotropic; for one rank.
-  image::LabelImage read_labels(const CaseFiles& files, Position position) const;
+  image::LabelImage read_labels(const CaseFiles& files, Position position, Remarks& remarks) const;
 
   /// The image of one position as it is, checked against its labels, or nothing if none is given;
   /// for one rank.
-  std::optional<OriginalImage> read_image(const CaseFiles& files, Position position) const;
+  std::optional<OriginalImage> read_image(const CaseFiles& files, Position position,
+                                          Remarks& remarks) const;
 
 private:
   OriginalImage read_original(const CaseFiles& files, Position position,
-                              const image::LabelImage& labels) const;
-  void prepare(const CaseFiles& files, Position position, Inputs& inputs) const;
-  image::LabelImage checked_labels(const CaseFiles& files, Position position) const;
+                              const image::LabelImage& labels, Remarks& remarks) const;
+  void prepare(const CaseFiles& files, Position position, Inputs& inputs, Remarks& remarks) const;
+  image::LabelImage checked_labels(const CaseFiles& files, Position position,
+                                   Remarks& remarks) const;
   image::LabelImage read_excluded(const CaseFiles& files, Position position,
-                                  const image::ScalarImage& image) const;
+                                  const image::ScalarImage& image, Remarks& remarks) const;
   void convert_contrast(Inputs& inputs) const;
   double isotropic_edge(const image::VoxelGrid& grid) const;
 

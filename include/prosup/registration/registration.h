@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "prosup/core/log.h"
+#include "prosup/core/remarks.h"
 #include "prosup/registration/breast_model.h"
 #include "prosup/registration/breast_pair.h"
 #include "prosup/registration/image_force_registration.h"
@@ -55,7 +56,9 @@ public:
   /// Is told of each state that the registration goes on from.
   void set_observer(Observer observer) { observer_ = std::move(observer); }
 
-  /// Reads images and labels. @throws Error for input that cannot be used.
+  /// Reads images and labels. What is doubtful goes to `remarks` of rank 0, or else to the log.
+  /// @throws Error for input that cannot be used.
+  void read(const CaseFiles& files, Remarks& remarks);
   void read(const CaseFiles& files);
   /// Removes gravity from both breasts, with the properties that the parameters give.
   /// @throws Error if a breast cannot be meshed, DivergenceError if one does not settle.

@@ -105,7 +105,8 @@ TEST(Registration, ABreastThatIsLoadedComesBackToWhereItWas) {
   const RegistrationParameters parameters;
   set_coarse();
   similarity::Scene scene;
-  scene.labels.prone = parameters.images.read_labels(small_case(), Position::prone);
+  Remarks remarks;
+  scene.labels.prone = parameters.images.read_labels(small_case(), Position::prone, remarks);
   const auto unloaded = make_breast(
       parameters.model, {Position::prone, scene, Tensor<1, 3>({0., -1., 0.})}, MPI_COMM_WORLD);
   unloaded->unload();
