@@ -5,7 +5,11 @@
 #include <itkNrrdImageIO.h>
 
 #include <array>
+#include <vector>
 
+#include "byte_source.h"
+#include "meta_header.h"
+#include "nifti_header.h"
 #include "prosup/core/error.h"
 #include "prosup/core/log.h"
 
@@ -17,28 +21,37 @@ constexpr const char* known_formats =
     "NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr) or MetaImage (.mha, .mhd)";
 
 std::array<itk::ImageIOBase::Pointer, 3> all_formats() {
-  auto nifti = itk::NiftiImageIO::New();
-  // An Analyze file has no orientation: left and right could be swapped.
-  nifti->SetLegacyAnalyze75Mode(itk::NiftiImageIOEnums::Analyze75Flavor::AnalyzeReject);
-  return {itk::ImageIOBase::Pointer(nifti), itk::ImageIOBase::Pointer(itk::NrrdImageIO::New()),
+  return {itk::ImageIOBase::Pointer(itk::NiftiImageIO::New()), nrrd_format(),
           itk::ImageIOBase::Pointer(itk::MetaImageIO::New())};
 }
 
 } // namespace
 
-itk::ImageIOBase::Pointer format_for_reading(const std::filesystem::path& file) {
+FileFormat format_of(const std::filesystem::path& file) {
+  constexpr std::size_t longest_beginning = 1u << 16; // a MetaImage may begin with long comments
   const std::string name = file.string();
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored))
     throw Error(format("The image file '%s' does not exist; check the path.", name.c_str()));
   if (!std::filesystem::is_regular_file(file, ignored))
     throw Error(format("'%s' is not a file; give an image file: %s.", name.c_str(), known_formats));
-  const bool half_of_a_pair = file.extension() == ".hdr" || file.extension() == ".img";
-  for (const auto& io : all_formats())
-    if (!half_of_a_pair && io->CanReadFile(name.c_str()))
-      return io;
+  std::vector<unsigned char> bytes(longest_beginning);
+  bytes.resize(unpacked_bytes(file)->read(bytes.data(), bytes.size()));
+  if (bytes.empty())
+    throw Error("'" + name + "' is empty; copy it again.");
+  if (is_nifti(bytes.data(), bytes.size()))
+    return FileFormat::nifti;
+  const std::string text(bytes.begin(), bytes.end());
+  if (text.compare(0, 4, "NRRD") == 0)
+    return FileFormat::nrrd;
+  if (is_meta_image(text))
+    return FileFormat::meta_image;
   throw Error(format("'%s' is in no image format that can be read; convert it to %s.", name.c_str(),
                      known_formats));
+}
+
+itk::ImageIOBase::Pointer nrrd_format() {
+  return itk::NrrdImageIO::New().GetPointer();
 }
 
 itk::ImageIOBase::Pointer format_for_writing(const std::filesystem::path& file) {
@@ -54,11 +67,10 @@ itk::ImageIOBase::Pointer format_for_writing(const std::filesystem::path& file) 
                      known_formats));
 }
 
-void refuse_nifti_vectors(const itk::ImageIOBase& io, const std::filesystem::path& file) {
-  if (dynamic_cast<const itk::NiftiImageIO*>(&io) != nullptr)
-    throw Error(format("'%s' is NIfTI, but displacement fields are NRRD (.nrrd) or MetaImage "
-                       "(.mha), because tools disagree on the vectors of NIfTI.",
-                       file.string().c_str()));
+void refuse_nifti_vectors(const std::filesystem::path& file) {
+  throw Error(format("'%s' is NIfTI, but displacement fields are NRRD (.nrrd) or MetaImage "
+                     "(.mha), because tools disagree on the vectors of NIfTI.",
+                     file.string().c_str()));
 }
 
 std::string one_line(const std::string& text) {

@@ -11,17 +11,22 @@ namespace prosup::image {
 // Readers and writers are made by hand rather than through ITK's factories,
 // which are shared by the whole process and belong to the host program.
 
-/// The reader whose format `file` has.
+enum class FileFormat { nifti, nrrd, meta_image };
+
+/// The format of `file` by what is in it, whatever its name.
 /// @throws Error if the file is missing or of no known format.
-itk::ImageIOBase::Pointer format_for_reading(const std::filesystem::path& file);
+FileFormat format_of(const std::filesystem::path& file);
+
+/// The reader and writer of NRRD.
+itk::ImageIOBase::Pointer nrrd_format();
 
 /// The writer for the ending of the file name.
 /// @throws Error if the ending is unknown or the folder does not exist.
 itk::ImageIOBase::Pointer format_for_writing(const std::filesystem::path& file);
 
-/// @throws Error if `io` is NIfTI, whose vector fields mean different things
-/// to different tools.
-void refuse_nifti_vectors(const itk::ImageIOBase& io, const std::filesystem::path& file);
+/// @throws Error about a displacement field `file` in NIfTI, whose vectors mean different things to
+/// different tools.
+[[noreturn]] void refuse_nifti_vectors(const std::filesystem::path& file);
 
 /// A message of ITK as one line, without its preamble and final stop.
 std::string one_line(const std::string& text);

@@ -1,8 +1,6 @@
 #include "itk_bridge.h"
 
-#include <deal.II/base/symmetric_tensor.h>
-
-#include <stdexcept>
+#include "regular_grid.h"
 
 namespace prosup::image {
 
@@ -22,7 +20,6 @@ void set_geometry(itk::ImageBase<3>& image, const VoxelGrid& grid) {
 }
 
 VoxelGrid geometry(const itk::ImageBase<3>& image) {
-  constexpr double tolerance = 1e-3;
   VoxelGrid grid;
   for (unsigned d = 0; d < 3; ++d) {
     grid.size[d] = image.GetLargestPossibleRegion().GetSize(d);
@@ -31,12 +28,7 @@ VoxelGrid geometry(const itk::ImageBase<3>& image) {
     for (unsigned e = 0; e < 3; ++e)
       grid.direction[d][e] = image.GetDirection()(d, e);
   }
-  const auto deviation =
-      (transpose(grid.direction) * grid.direction - dealii::unit_symmetric_tensor<3>()).norm();
-  if (!(deviation <= tolerance))
-    throw std::domain_error("axes are not at right angles");
-  if (deviation > 1e-14)
-    grid.direction = dealii::project_onto_orthogonal_tensors(grid.direction);
+  make_orthonormal(grid.direction);
   return grid;
 }
 

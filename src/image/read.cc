@@ -2,17 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <stdexcept>
 
-#include "completeness.h"
 #include "file_formats.h"
 #include "itk_bridge.h"
 #include "prosup/core/error.h"
 #include "prosup/core/log.h"
 #include "prosup/image/image_io.h"
+#include "volume.h"
 #include "voxel_checks.h"
 
 namespace prosup::image {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -25,10 +28,7 @@ void check_header(const itk::ImageIOBase& io, unsigned n_components, const std::
     throw Error(format("'%s' has %u dimension%s, but a three-dimensional image is needed; "
                        "convert it to one volume.",
                        file.c_str(), n_extended, n_extended == 1 ? "" : "s"));
-  if (io.GetNumberOfComponents() != n_components)
-    throw Error(format("'%s' has %u values per voxel, but %u %s needed; give the right file.",
-                       file.c_str(), io.GetNumberOfComponents(), n_components,
-                       n_components == 1 ? "is" : "are"));
+  check_components(io.GetNumberOfComponents(), n_components, file);
   for (unsigned d = 0; d < 3; ++d)
     if (!(io.GetSpacing(d) > 0.) || !std::isfinite(io.GetSpacing(d)))
       throw Error(format("'%s' has a voxel spacing of %g mm along axis %u, which must be positive; "
@@ -37,70 +37,108 @@ void check_header(const itk::ImageIOBase& io, unsigned n_components, const std::
 }
 
 template <typename T>
-VoxelImage<T> read(const std::filesystem::path& path, Remarks& /*remarks*/) {
+VoxelImage<T> read_by_itk(const fs::path& path) {
   const std::string file = path.string();
   const QuietItk quiet;
-  const auto io = format_for_reading(path);
+  const auto io = nrrd_format();
   constexpr unsigned n_components = sizeof(T) / sizeof(float);
-  if (n_components > 1)
-    refuse_nifti_vectors(*io, path);
   try {
     io->SetFileName(file);
     io->ReadImageInformation();
     check_header(*io, n_components, file);
-    check_complete(*io, path);
     auto reader = itk::ImageFileReader<ItkImage<T>>::New();
     reader->SetImageIO(io);
     reader->SetFileName(file);
     reader->Update();
     const auto& output = *reader->GetOutput();
-    const auto image = from_itk<T>(output, geometry(output));
-    check_finite(image, path);
-    return image;
+    return from_itk<T>(output, geometry(output));
   } catch (const itk::ExceptionObject& exception) {
     throw Error(format("'%s' cannot be read (%s); it may be damaged or incomplete.", file.c_str(),
                        one_line(exception.GetDescription()).c_str()));
-  } catch (const std::domain_error& error) {
-    throw Error(format("'%s' cannot be used: its %s; resample it to a regular grid.", file.c_str(),
-                       error.what()));
   }
+}
+
+VectorImage as_vectors(const Volume& volume) {
+  VectorImage field(volume.grid);
+  for (std::size_t v = 0; v < field.values.size(); ++v)
+    std::copy_n(volume.values.data() + 3 * v, 3, field.values[v].data());
+  return field;
+}
+
+/// Calls `work`, which reads `file`, and makes one sentence of what goes wrong.
+template <typename Work>
+auto in_words(const fs::path& file, const Work& work) {
+  const std::string name = file.string();
+  try {
+    return work();
+  } catch (const std::domain_error& error) {
+    throw Error("'" + name + "' cannot be used: its " + error.what() +
+                "; resample it to a regular grid.");
+  } catch (const std::bad_alloc&) {
+    throw Error("'" + name + "' needs more memory than there is; crop the image or resample it.");
+  } catch (const fs::filesystem_error& error) {
+    throw Error("'" + name + "' cannot be read (" + error.code().message() + "); copy it again.");
+  }
+}
+
+/// Values, and the difference between those that are stored as neighbouring integers.
+std::pair<ScalarImage, double> read_scalars(const fs::path& file, Remarks& remarks,
+                                            NiftiTransform transform) {
+  return in_words(file, [&] {
+    std::pair<ScalarImage, double> result;
+    const FileFormat format = format_of(file);
+    if (format == FileFormat::nrrd) {
+      result.first = read_by_itk<float>(file);
+    } else {
+      Volume volume = format == FileFormat::nifti ? read_nifti(file, 1, transform, remarks)
+                                                  : read_meta_image(file, 1, remarks);
+      result.first.grid = volume.grid;
+      result.first.values = std::move(volume.values);
+      result.second = volume.step;
+    }
+    check_finite(result.first, file);
+    return result;
+  });
 }
 
 } // namespace
 
-ScalarImage read_image(const std::filesystem::path& file, Remarks& remarks) {
-  return read<float>(file, remarks);
+void check_components(unsigned found, unsigned needed, const fs::path& file) {
+  if (found != needed)
+    throw Error(format("'%s' has %u values per voxel, but %u %s needed; give the right file.",
+                       file.string().c_str(), found, needed, needed == 1 ? "is" : "are"));
 }
 
-ScalarImage read_image(const std::filesystem::path& file) {
+ScalarImage read_image(const fs::path& file, Remarks& remarks, NiftiTransform transform) {
+  return read_scalars(file, remarks, transform).first;
+}
+
+ScalarImage read_image(const fs::path& file) {
   Remarks untold;
   return read_image(file, untold);
 }
 
-VectorImage read_displacement(const std::filesystem::path& file) {
-  Remarks untold;
-  return read<std::array<float, 3>>(file, untold);
+VectorImage read_displacement(const fs::path& file) {
+  return in_words(file, [&] {
+    Remarks untold;
+    const FileFormat format = format_of(file);
+    if (format == FileFormat::nifti)
+      refuse_nifti_vectors(file);
+    VectorImage field = format == FileFormat::nrrd ? read_by_itk<std::array<float, 3>>(file)
+                                                   : as_vectors(read_meta_image(file, 3, untold));
+    check_finite(field, file);
+    return field;
+  });
 }
 
-LabelImage read_labels(const std::filesystem::path& file) {
+LabelImage read_labels(const fs::path& file) {
   Remarks untold;
   return read_labels(file, untold);
 }
 
-LabelImage read_labels(const std::filesystem::path& file, Remarks& remarks) {
-  const ScalarImage values = read_image(file, remarks);
-  LabelImage labels(values.grid);
-  for (std::size_t v = 0; v < values.values.size(); ++v) {
-    const float value = values.values[v];
-    if (value < 0.f || value > 255.f || value != std::floor(value)) {
-      const Point<3> x = voxel_position(values.grid, v);
-      throw Error(format("'%s' is no label image: it holds %g at LPS (%.1f, %.1f, %.1f) mm, but "
-                         "labels are integers from 0 to 255; give the mask, not the image.",
-                         file.string().c_str(), double(value), x[0], x[1], x[2]));
-    }
-    labels.values[v] = static_cast<std::uint8_t>(value);
-  }
-  return labels;
+LabelImage read_labels(const fs::path& file, Remarks& remarks, NiftiTransform transform) {
+  const auto [values, step] = read_scalars(file, remarks, transform);
+  return rounded_labels(values, step, file, remarks);
 }
 
 } // namespace prosup::image

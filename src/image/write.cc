@@ -5,28 +5,42 @@
 #include <array>
 #include <fstream>
 
-#include "completeness.h"
 #include "file_formats.h"
 #include "itk_bridge.h"
 #include "prosup/core/error.h"
 #include "prosup/core/log.h"
 #include "prosup/core/text_file.h"
 #include "prosup/image/image_io.h"
+#include "volume.h"
 #include "voxel_checks.h"
 
 namespace prosup::image {
 
 namespace {
 
+/// Reads a file of a format that tells its length only to readers.
+void read_back(unsigned n_components, bool is_nifti, const std::filesystem::path& file) {
+  try {
+    Remarks untold;
+    if (is_nifti)
+      read_nifti(file, n_components, NiftiTransform::must_agree, untold);
+    else
+      read_meta_image(file, n_components, untold);
+  } catch (const std::exception&) {
+    throw_cannot_write(file);
+  }
+}
+
 /// Makes sure that a file that `io` has written is whole: the libraries below ITK do not tell that
 /// a disk is full. A compressed file ends with the length of what was compressed, modulo 2^32.
 void check_written(const itk::ImageIOBase& io, const std::filesystem::path& file) {
   constexpr std::uintmax_t nifti_header = 352;
   std::uintmax_t length = std::uintmax_t(io.GetImageSizeInBytes());
-  if (dynamic_cast<const itk::NiftiImageIO*>(&io) != nullptr && file.extension() == ".gz")
+  const bool is_nifti = dynamic_cast<const itk::NiftiImageIO*>(&io) != nullptr;
+  if (is_nifti && file.extension() == ".gz")
     length += nifti_header;
   else if (dynamic_cast<const itk::NrrdImageIO*>(&io) == nullptr)
-    return check_complete(io, file);
+    return read_back(io.GetNumberOfComponents(), is_nifti, file);
   std::ifstream stream(file, std::ios::binary);
   std::array<char, 4> end{};
   stream.seekg(-4, std::ios::end).read(end.data(), end.size());
@@ -70,7 +84,8 @@ void write_labels(const LabelImage& image, const std::filesystem::path& file) {
 void write_displacement(const VectorImage& field, const std::filesystem::path& file) {
   check_finite(field, file);
   const auto io = format_for_writing(file);
-  refuse_nifti_vectors(*io, file);
+  if (dynamic_cast<const itk::NiftiImageIO*>(io.GetPointer()) != nullptr)
+    refuse_nifti_vectors(file);
   write(field, io, file);
 }
 

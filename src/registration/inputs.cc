@@ -4,6 +4,7 @@
 
 #include "prosup/core/collective.h"
 #include "prosup/core/error.h"
+#include "prosup/core/log.h"
 #include "prosup/core/parameters.h"
 #include "prosup/core/text.h"
 #include "prosup/image/broadcast.h"
@@ -29,11 +30,33 @@ constexpr const char* prone_as_supine = "prone as supine";
 constexpr const char* supine_as_prone = "supine as prone";
 } // namespace contrast
 
+/// Which transform of a NIfTI header counts.
+namespace transform {
+constexpr const char* must_agree = "must agree";
+constexpr const char* sform = "sform";
+constexpr const char* qform = "qform";
+} // namespace transform
+
 /// Median intensity of the voxels labelled air; the darkest one if there are none.
 float air_intensity(const ScalarImage& image, const LabelImage& labels) {
   if (std::find(labels.values.begin(), labels.values.end(), 0) == labels.values.end())
     return *std::min_element(image.values.begin(), image.values.end());
   return image::median_intensity(image, labels, 0);
+}
+
+/// No scan of a breast is outside of these bounds, mm, but one whose header has another unit is.
+/// @throws Error
+void check_extent(const image::VoxelGrid& grid, const std::string& file) {
+  constexpr double least = 20., most = 3000.;
+  for (unsigned d = 0; d < 3; ++d) {
+    const double extent = double(grid.size[d]) * grid.spacing[d];
+    if (extent < least || extent > most)
+      throw Error(
+          format("'%s' is %g mm long along axis %u (%zu voxels of %g mm), but an image that "
+                 "holds a breast has %g to %g mm; check the unit of its header, or give "
+                 "the whole volume.",
+                 file.c_str(), extent, d + 1, grid.size[d], grid.spacing[d], least, most));
+  }
 }
 
 /// Moves what was read of the supine breast by the offset of the case.
@@ -74,6 +97,25 @@ void InputReader::declare_parameters(ParameterHandler& prm) {
       "a linear map "
       "(paper, Fig. 4).",
       one_of({contrast::as_given, contrast::prone_as_supine, contrast::supine_as_prone}));
+  prm.add_parameter(
+      "NIfTI transform", nifti_transform_,
+      "What places the voxels of a NIfTI file whose two transforms, sform and qform, differ by "
+      "more "
+      "than a tenth of a voxel somewhere: one of them, or 'must agree', which refuses such files.",
+      one_of({transform::must_agree, transform::sform, transform::qform}));
+}
+
+LabelImage InputReader::labels_in(const std::string& file, Remarks& remarks) const {
+  LabelImage labels = image::read_labels(file, remarks, nifti_transform());
+  check_extent(labels.grid, file);
+  return labels;
+}
+
+image::NiftiTransform InputReader::nifti_transform() const {
+  if (nifti_transform_ == transform::sform)
+    return image::NiftiTransform::sform;
+  return nifti_transform_ == transform::qform ? image::NiftiTransform::qform
+                                              : image::NiftiTransform::must_agree;
 }
 
 double InputReader::isotropic_edge(const image::VoxelGrid& grid) const {
@@ -84,7 +126,7 @@ double InputReader::isotropic_edge(const image::VoxelGrid& grid) const {
 LabelImage InputReader::checked_labels(const CaseFiles& files, Position position,
                                        Remarks& remarks) const {
   const std::string& file = files.labels[position];
-  LabelImage labels = placed(image::read_labels(file, remarks), files, position);
+  LabelImage labels = placed(labels_in(file, remarks), files, position);
   if (std::all_of(labels.values.begin(), labels.values.end(),
                   [](std::uint8_t label) { return label == 0; }))
     throw Error("The label image '" + file +
@@ -107,7 +149,7 @@ LabelImage InputReader::read_labels(const CaseFiles& files, Position position,
 OriginalImage InputReader::read_original(const CaseFiles& files, Position position,
                                          const LabelImage& labels, Remarks& remarks) const {
   const std::string& file = files.images[position];
-  ScalarImage image = placed(image::read_image(file, remarks), files, position);
+  ScalarImage image = placed(image::read_image(file, remarks, nifti_transform()), files, position);
   image::check_labels_fit(image, labels, file, files.labels[position]);
   return {std::move(image), image::select_labels(labels, labels_.tissues)};
 }
@@ -117,7 +159,7 @@ std::optional<OriginalImage> InputReader::read_image(const CaseFiles& files, Pos
   if (files.images[position].empty())
     return {};
   return read_original(files, position,
-                       placed(image::read_labels(files.labels[position], remarks), files, position),
+                       placed(labels_in(files.labels[position], remarks), files, position),
                        remarks);
 }
 
@@ -126,7 +168,7 @@ LabelImage InputReader::read_excluded(const CaseFiles& files, Position position,
   const std::string& file = files.excluded[position];
   if (file.empty())
     return {};
-  LabelImage mask = placed(image::read_labels(file, remarks), files, position);
+  LabelImage mask = placed(labels_in(file, remarks), files, position);
   image::check_labels_fit(image, mask, files.images[position], file);
   for (std::uint8_t& value : mask.values)
     value = value != 0;

@@ -14,16 +14,22 @@ namespace prosup::image {
 
 // What is doubtful in a file goes to `remarks`, or is not told if none are given.
 
+/// Which of the two transforms of a NIfTI header places the voxels if it has both, and they differ
+/// by more than a tenth of a voxel somewhere in the image.
+enum class NiftiTransform { must_agree, sform, qform };
+
 /// Reads a three-dimensional image of any scalar pixel type.
 /// @throws Error if the file is missing or damaged or has another format, if the image is not
 /// three-dimensional or not scalar, if a spacing is not positive or the axes are not at right
 /// angles, or if a value is not finite.
-ScalarImage read_image(const std::filesystem::path& file, Remarks& remarks);
+ScalarImage read_image(const std::filesystem::path& file, Remarks& remarks,
+                       NiftiTransform transform = NiftiTransform::must_agree);
 ScalarImage read_image(const std::filesystem::path& file);
 
 /// Reads a label image; its values must be integers from 0 to 255.
 /// @throws Error as read_image(), or if a value is not such an integer.
-LabelImage read_labels(const std::filesystem::path& file, Remarks& remarks);
+LabelImage read_labels(const std::filesystem::path& file, Remarks& remarks,
+                       NiftiTransform transform = NiftiTransform::must_agree);
 LabelImage read_labels(const std::filesystem::path& file);
 
 /// Reads a displacement field (three components per voxel; LPS, mm) from NRRD

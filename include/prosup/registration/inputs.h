@@ -9,6 +9,7 @@
 
 #include "prosup/core/labels.h"
 #include "prosup/core/remarks.h"
+#include "prosup/image/image_io.h"
 #include "prosup/image/rigid_transform.h"
 #include "prosup/image/voxel_image.h"
 #include "prosup/registration/case_files.h"
@@ -65,12 +66,14 @@ private:
                                    Remarks& remarks) const;
   image::LabelImage read_excluded(const CaseFiles& files, Position position,
                                   const image::ScalarImage& image, Remarks& remarks) const;
+  image::LabelImage labels_in(const std::string& file, Remarks& remarks) const;
+  image::NiftiTransform nifti_transform() const;
   void convert_contrast(Inputs& inputs) const;
   double isotropic_edge(const image::VoxelGrid& grid) const;
 
   double voxel_edge_ = 1.;
   double low_percentile_ = 1., high_percentile_ = 99.;
-  std::string contrast_ = "as given";
+  std::string contrast_ = "as given", nifti_transform_ = "must agree";
   const Labels& labels_;
 };
 
