@@ -3,69 +3,18 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 
+#include "csv_header.h"
 #include "prosup/core/error.h"
 #include "prosup/core/log.h"
 #include "prosup/core/text.h"
+#include "text_input.h"
 
 namespace prosup::evaluation::csv {
 
-namespace {
-
-std::string trimmed(const std::string& text) {
-  constexpr const char* blanks = " \t\r\n";
-  const auto first = text.find_first_not_of(blanks);
-  if (first == std::string::npos)
-    return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
-} // namespace
-
-std::string where(const std::filesystem::path& file, std::size_t line) {
-  return "file '" + file.string() + "', line " + std::to_string(line);
-}
-
-std::vector<Line> read_lines(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  if (!stream || std::filesystem::is_directory(file))
-    throw Error("The file '" + file.string() +
-                "' cannot be read; check that it exists and that you may read it.");
-  std::vector<Line> lines;
-  std::string text;
-  for (std::size_t number = 1; std::getline(stream, text); ++number) {
-    const std::string byte_order_mark = "\xEF\xBB\xBF";
-    if (number == 1 && text.compare(0, 3, byte_order_mark) == 0)
-      text.erase(0, 3);
-    text = trimmed(text);
-    if (!text.empty())
-      lines.push_back({text, number});
-  }
-  return lines;
-}
-
-std::vector<std::string> split(const std::string& line) {
-  std::vector<std::string> values(1);
-  bool in_quotes = false;
-  for (std::size_t c = 0; c < line.size(); ++c) {
-    const bool doubled = in_quotes && line[c] == '"' && c + 1 < line.size() && line[c + 1] == '"';
-    if (doubled)
-      values.back() += line[c++];
-    else if (line[c] == '"')
-      in_quotes = !in_quotes;
-    else if (line[c] == ',' && !in_quotes)
-      values.emplace_back();
-    else
-      values.back() += line[c];
-  }
-  for (std::string& value : values)
-    value = trimmed(value);
-  return values;
-}
-
 std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos)
+  // '#' would make a comment of the line.
+  if (text.find_first_of(",\"\n\r") == std::string::npos && (text.empty() || text[0] != '#'))
     return text;
   std::string result = "\"";
   for (const char c : text)
@@ -73,63 +22,144 @@ std::string quoted(const std::string& text) {
   return result + "\"";
 }
 
-double parse_number(const std::string& text, const std::string& where) {
+double parse_number(const std::string& text, const std::string& where, const std::string& column) {
   // Unlike std::stod, from_chars knows no locale and no hexadecimal numbers.
   const char* first = text.data() + (text.size() > 1 && text[0] == '+' && text[1] != '-');
   const char* last = text.data() + text.size();
   double value = 0.;
   const auto [end, error] = std::from_chars(first, last, value);
   if (error != std::errc() || end != last || !std::isfinite(value))
-    throw Error("In " + where + ": '" + text +
-                "' is not a coordinate; write a finite number in mm, such as -12.5.");
+    throw Error("In " + where + ", column '" + column + "': '" + text +
+                "' is not a coordinate; write a finite number in mm with a decimal point, such as "
+                "-12.5.");
+  check_coordinate(value, where + ", column '" + column + "'");
   return value;
 }
 
-Table::Table(const std::filesystem::path& file) : file_(file) {
-  const std::vector<Line> lines = read_lines(file);
-  if (lines.size() < 2)
-    throw Error("The file '" + file.string() +
+Table::Table(const std::string& text, std::string name) : file_(std::move(name)) {
+  bool has_header = false;
+  for (Record& record : records(text, file_)) {
+    if (has_header)
+      add_row(std::move(record));
+    else if (!record.comment.empty())
+      read_comment(record);
+    else if (!record.names_separator()) {
+      read_header(record);
+      has_header = true;
+    }
+  }
+  if (rows_.empty())
+    throw Error("The file '" + file_ +
                 "' has no points; write a header line and at least one line of values.");
-  header_ = split(lines[0].text);
-  for (const std::string& name : header_)
-    if (std::count(header_.begin(), header_.end(), name) > 1 && !name.empty())
-      throw Error("In " + csv::where(file, lines[0].number) + ": the column '" + name +
-                  "' occurs twice; give each column its own name.");
-  for (std::size_t l = 1; l < lines.size(); ++l) {
-    std::vector<std::string> values = split(lines[l].text);
-    if (values.size() != header_.size())
-      throw Error("In " + csv::where(file, lines[l].number) + ": there are " +
-                  std::to_string(values.size()) + " values where the header names " +
-                  std::to_string(header_.size()) + " columns (" + joined(header_) +
-                  "); give one value for each.");
-    rows_.push_back({std::move(values), lines[l].number});
+}
+
+void Table::read_comment(const Record& record) {
+  std::string value;
+  if (comment_value(record.comment, "CoordinateSystem", value))
+    system_ = coordinate_system(value, evaluation::where(file_, record.line));
+}
+
+void Table::read_header(const Record& record) {
+  check_header(record, file_);
+  header_line_ = record.line;
+  header_ = record.values;
+  while (header_.back().empty())
+    header_.pop_back();
+  for (const std::string& text : header_) {
+    const ColumnName column = column_name(text);
+    names_.push_back(column.name);
+    units_.push_back(column.unit);
   }
 }
 
+void Table::add_row(Record record) {
+  std::vector<std::string>& values = record.values;
+  while (values.size() > header_.size() && values.back().empty())
+    values.pop_back();
+  const bool fits = values.size() == header_.size();
+  if (!fits && !record.comment.empty())
+    return;
+  if (!fits)
+    throw Error("In " + evaluation::where(file_, record.line) + ": there are " +
+                std::to_string(values.size()) + " values where the header names " +
+                std::to_string(header_.size()) + " columns (" + joined(header_) +
+                "); give one value for each, with points, not commas, in the decimals.");
+  rows_.push_back(std::move(record));
+}
+
 std::optional<std::size_t> Table::find(const std::string& name) const {
-  const auto found = std::find(header_.begin(), header_.end(), name);
-  if (found == header_.end())
+  const auto found = std::find(names_.begin(), names_.end(), name);
+  if (found == names_.end())
     return {};
-  return static_cast<std::size_t>(found - header_.begin());
+  if (std::find(found + 1, names_.end(), name) != names_.end())
+    throw Error("In " + evaluation::where(file_, header_line_) + ": the column '" + name +
+                "' occurs twice; give each column its own name.");
+  return static_cast<std::size_t>(found - names_.begin());
 }
 
 std::size_t Table::column(const std::string& name) const {
   const auto found = find(name);
   if (!found)
-    throw Error("The file '" + file_.string() + "' has no column '" + name + "' (it has " +
-                joined(header_) + "); name it in the first line.");
+    throw Error("The file '" + file_ + "' has no column '" + name + "' (it has " + joined(header_) +
+                "); name it in the first line.");
   return *found;
 }
 
-std::array<std::size_t, 3> Table::point_columns(const std::string& prefix) const {
-  return {column(prefix + "x"), column(prefix + "y"), column(prefix + "z")};
+std::size_t Table::id_column() const {
+  for (const char* name : {"id", "label", "name"})
+    if (const auto found = find(name))
+      return *found;
+  return column("id");
 }
 
-Point<3> Table::point(std::size_t row, const std::array<std::size_t, 3>& columns) const {
+bool Table::has(const std::array<std::string, 3>& names) const {
+  return std::all_of(names.begin(), names.end(),
+                     [&](const std::string& name) { return find(name).has_value(); });
+}
+
+void Table::require_mm(std::size_t column) const {
+  if (units_[column].empty() || units_[column] == "mm")
+    return;
+  throw Error("In " + evaluation::where(file_, header_line_) + ": the column '" + header_[column] +
+              "' is in '" + units_[column] + "', but coordinates are in mm; convert them.");
+}
+
+PointColumns Table::point_columns(const std::string& prefix, Remarks& remarks) const {
+  const auto named = [&](const char* x, const char* y, const char* z) {
+    return std::array<std::string, 3>{prefix + x, prefix + y, prefix + z};
+  };
+  const auto xyz = named("x", "y", "z"), lps = named("l", "p", "s"), ras = named("r", "a", "s");
+  const int n_found = int(has(xyz)) + int(has(lps)) + int(has(ras));
+  if (n_found > 1)
+    throw Error("In " + evaluation::where(file_, header_line_) +
+                ": the position of a point is given by several triples of columns (" +
+                joined(header_) + "); leave only one of them.");
+  const bool turned = has(ras);
+  const auto& names = has(lps) ? lps : turned ? ras : xyz;
+  PointColumns columns{{}, turned ? CoordinateSystem::ras : CoordinateSystem::lps};
+  if (&names == &xyz)
+    columns.system = system_;
+  for (unsigned d = 0; d < 3; ++d) {
+    columns.index[d] = column(names[d]);
+    require_mm(columns.index[d]);
+  }
+  if (columns.system == CoordinateSystem::ras)
+    remarks.add("The columns " + names[0] + ", " + names[1] + " and " + names[2] +
+                " of the file '" + file_ + "' were taken as RAS and turned to LPS.");
+  return columns;
+}
+
+Point<3> Table::point(std::size_t row, const PointColumns& columns) const {
   Point<3> p;
-  for (unsigned d = 0; d < 3; ++d)
-    p[d] = parse_number(text(row, columns[d]), where(row));
-  return p;
+  for (unsigned d = 0; d < 3; ++d) {
+    const std::size_t column = columns.index[d];
+    p[d] = parse_number(text(row, column), where(row), header_[column]);
+  }
+  return to_lps(p, columns.system);
+}
+
+std::string Table::where(std::size_t row) const {
+  return evaluation::where(file_, rows_[row].line);
 }
 
 std::string coordinates(const Point<3>& p, const std::string& what) {

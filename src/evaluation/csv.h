@@ -4,70 +4,78 @@
 #include <deal.II/base/point.h>
 
 #include <array>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "coordinate_system.h"
+#include "csv_records.h"
+#include "prosup/core/remarks.h"
 
 namespace prosup::evaluation::csv {
 
 using dealii::Point;
 
-/// One line of a text file, its end trimmed, and its number from 1.
-struct Line {
-  std::string text;
-  std::size_t number;
-};
-
-/// The lines that are not blank. @throws Error if the file cannot be read.
-std::vector<Line> read_lines(const std::filesystem::path& file);
-
-/// The values of a comma-separated line, trimmed. A value in double quotes may
-/// hold commas; a doubled quote stands for one.
-std::vector<std::string> split(const std::string& line);
-
 /// `text` as one value of a line: quoted where it has to be.
 std::string quoted(const std::string& text);
 
-/// "file 'name', line 3": where a mistake is.
-std::string where(const std::filesystem::path& file, std::size_t line);
+/// One finite number with a decimal point, mm.
+/// @throws Error that starts with "In `where`" and names the column.
+double parse_number(const std::string& text, const std::string& where, const std::string& column);
 
-/// @throws Error, that starts with `where`, if `text` is not one finite number.
-double parse_number(const std::string& text, const std::string& where);
+/// The columns of a point and what they mean.
+struct PointColumns {
+  std::array<std::size_t, 3> index;
+  CoordinateSystem system;
+};
 
-/// A table whose columns are found by name.
+/// A table whose columns are found by name, whatever the case of its letters. A unit behind a name
+/// is no part of it: `x_mm`, `x [mm]` and `x (mm)` are `x`.
 class Table {
 public:
-  /// Reads the header and checks that all rows have as many values.
-  /// @throws Error if the file cannot be read, has no rows, or a name occurs twice.
-  explicit Table(const std::filesystem::path& file);
+  /// Reads the header and checks that all rows have as many values. Empty columns on the right,
+  /// blank lines and comments (`# ...`) are left out.
+  /// @throws Error that names the file `name` if there are no rows or the separators are not
+  /// commas.
+  Table(const std::string& text, std::string name);
 
   std::size_t n_rows() const { return rows_.size(); }
 
-  /// Number of the column with this name, if there is one.
+  /// Number of the column with this name, if there is one. @throws Error if there are several.
   std::optional<std::size_t> find(const std::string& name) const;
 
   /// @throws Error that lists the columns there are.
   std::size_t column(const std::string& name) const;
 
-  /// Numbers of the columns prefix + "x", "y", "z".
-  std::array<std::size_t, 3> point_columns(const std::string& prefix) const;
+  /// The column `id`, or else `label` or `name`.
+  std::size_t id_column() const;
+
+  /// The columns prefix + "x", "y", "z", or "l", "p", "s", or "r", "a", "s", which is said.
+  /// @throws Error if they are missing, ambiguous or not in mm.
+  PointColumns point_columns(const std::string& prefix, Remarks& remarks) const;
 
   const std::string& text(std::size_t row, std::size_t column) const {
     return rows_[row].values[column];
   }
-  Point<3> point(std::size_t row, const std::array<std::size_t, 3>& columns) const;
+  /// LPS, mm.
+  Point<3> point(std::size_t row, const PointColumns& columns) const;
 
-  std::string where(std::size_t row) const { return csv::where(file_, rows_[row].line); }
+  std::string where(std::size_t row) const;
 
 private:
-  struct Row {
-    std::vector<std::string> values;
-    std::size_t line;
-  };
-  std::filesystem::path file_;
-  std::vector<std::string> header_;
-  std::vector<Row> rows_;
+  void read_comment(const Record& record);
+  void read_header(const Record& record);
+  void add_row(Record record);
+  bool has(const std::array<std::string, 3>& names) const;
+  void require_mm(std::size_t column) const;
+
+  std::string file_;
+  std::size_t header_line_ = 0;
+  std::vector<std::string> header_; ///< as it is written
+  std::vector<std::string> names_;  ///< without units, in lower case
+  std::vector<std::string> units_;
+  std::vector<Record> rows_;
+  CoordinateSystem system_ = CoordinateSystem::lps; ///< of x, y, z
 };
 
 /// "x,y,z" to 1e-6 mm. @throws Error that names `what` if a coordinate is not finite.

@@ -4,16 +4,19 @@
 
 #include "csv.h"
 #include "prosup/core/error.h"
+#include "text_input.h"
 
 namespace prosup::evaluation {
 
-std::vector<Landmark> read_landmarks(const std::filesystem::path& file) {
-  const csv::Table table(file);
-  const std::size_t id = table.column("id");
-  const auto prone = table.point_columns("prone_"), supine = table.point_columns("supine_");
-  std::optional<std::array<std::size_t, 3>> unloaded;
+std::vector<Landmark> parse_landmarks(const std::string& text, const std::string& name,
+                                      Remarks& remarks) {
+  const csv::Table table(as_utf8(text, name, remarks), name);
+  const std::size_t id = table.id_column();
+  const auto prone = table.point_columns("prone_", remarks),
+             supine = table.point_columns("supine_", remarks);
+  std::optional<csv::PointColumns> unloaded;
   if (table.find("unloaded_x") || table.find("unloaded_y") || table.find("unloaded_z"))
-    unloaded = table.point_columns("unloaded_");
+    unloaded = table.point_columns("unloaded_", remarks);
 
   std::vector<Landmark> landmarks;
   std::set<std::string> ids;
@@ -28,6 +31,15 @@ std::vector<Landmark> read_landmarks(const std::filesystem::path& file) {
     landmarks.push_back(std::move(landmark));
   }
   return landmarks;
+}
+
+std::vector<Landmark> read_landmarks(const std::filesystem::path& file, Remarks& remarks) {
+  return parse_landmarks(read_file(file), file.string(), remarks);
+}
+
+std::vector<Landmark> read_landmarks(const std::filesystem::path& file) {
+  Remarks untold;
+  return read_landmarks(file, untold);
 }
 
 } // namespace prosup::evaluation

@@ -6,6 +6,7 @@
 #include "csv.h"
 #include "prosup/core/error.h"
 #include "prosup/evaluation/points.h"
+#include "text_input.h"
 
 namespace prosup::evaluation {
 
@@ -17,12 +18,14 @@ const Landmark* find(const LandmarkObserver& observer, const std::string& id) {
   return found == observer.landmarks.end() ? nullptr : &*found;
 }
 
-std::vector<NamedPoint> read_supine_points(const std::filesystem::path& file) {
-  if (file.extension() != ".csv" || !csv::Table(file).find("supine_x"))
-    return read_points(file);
-  const csv::Table table(file);
-  const std::size_t id = table.column("id");
-  const auto columns = table.point_columns("supine_");
+std::vector<NamedPoint> read_supine_points(const std::filesystem::path& file, Remarks& remarks) {
+  if (point_format(file) != PointFormat::csv)
+    return read_points(file, remarks);
+  const csv::Table table(as_utf8(read_file(file), file.string(), remarks), file.string());
+  if (!table.find("supine_x"))
+    return read_points(file, remarks);
+  const std::size_t id = table.id_column();
+  const csv::PointColumns columns = table.point_columns("supine_", remarks);
   std::vector<NamedPoint> points;
   for (std::size_t row = 0; row < table.n_rows(); ++row)
     points.push_back({table.text(row, id), table.point(row, columns)});
@@ -37,14 +40,14 @@ using Position = Point<3> Landmark::*;
 
 } // namespace
 
-LandmarkObserver read_observer(const std::filesystem::path& file) {
-  return {file.stem().string(), read_landmarks(file)};
+LandmarkObserver read_observer(const std::filesystem::path& file, Remarks& remarks) {
+  return {file.stem().string(), read_landmarks(file, remarks)};
 }
 
 LandmarkObserver read_control_observer(const std::filesystem::path& file,
-                                       const LandmarkObserver& first) {
+                                       const LandmarkObserver& first, Remarks& remarks) {
   LandmarkObserver control{file.stem().string(), {}};
-  for (const NamedPoint& point : read_supine_points(file)) {
+  for (const NamedPoint& point : read_supine_points(file, remarks)) {
     const Landmark* shown = find(first, point.id);
     if (shown == nullptr || find(control, point.id) != nullptr)
       throw Error("The landmark '" + point.id + "' of the control observer '" + file.string() +

@@ -5,11 +5,20 @@
 
 namespace prosup::evaluation {
 
-/// Reads 3D Slicer's `.fcsv`, the format of its versions before 5.
-std::vector<NamedPoint> read_fcsv(const std::filesystem::path& file);
+/// Reads the text of 3D Slicer's `.fcsv`, the format of its versions before 5.
+std::vector<NamedPoint> parse_fcsv(const std::string& text, const std::string& name,
+                                   Remarks& remarks);
 
-/// Reads 3D Slicer's `.mrk.json`.
-std::vector<NamedPoint> read_mrk_json(const std::filesystem::path& file);
+/// Reads the text of 3D Slicer's `.mrk.json`.
+std::vector<NamedPoint> parse_mrk_json(const std::string& text, const std::string& name,
+                                       Remarks& remarks);
+
+/// Points as text of these formats, in LPS, mm.
+std::string fcsv_text(const std::vector<NamedPoint>& points);
+std::string mrk_json_text(const std::vector<NamedPoint>& points);
+
+/// Says that `n_skipped` points of the file `name` have no position, if there are any.
+void say_skipped(std::size_t n_skipped, const std::string& name, Remarks& remarks);
 
 } // namespace prosup::evaluation
 

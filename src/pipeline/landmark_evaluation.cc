@@ -1,19 +1,67 @@
 #include "prosup/pipeline/landmark_evaluation.h"
 
+#include <algorithm>
+
+#include "prosup/core/log.h"
+#include "prosup/core/text.h"
 #include "prosup/evaluation/landmarks_csv.h"
 #include "prosup/evaluation/point_mapper.h"
+#include "prosup/image/filters.h"
+#include "prosup/image/sampling.h"
 
 namespace prosup::pipeline {
 
+using dealii::Point;
 using evaluation::ErrorStatistics;
 
-void LandmarkEvaluation::read(const CaseParameters& parameters) {
+namespace {
+
+constexpr double far_outside = 5.; // mm: more than masks and observers disagree about the skin
+constexpr std::size_t n_named = 3;
+
+/// The point between the voxel centres of `grid` that is nearest to `x`.
+Point<3> nearest_in(const image::VoxelGrid& grid, const Point<3>& x) {
+  Point<3> index = grid.continuous_index(x);
+  for (unsigned d = 0; d < 3; ++d)
+    index[d] = std::clamp(index[d], 0., double(grid.size[d]) - 1.);
+  return grid.physical(index[0], index[1], index[2]);
+}
+
+} // namespace
+
+void LandmarkEvaluation::read(const CaseParameters& parameters, Remarks& remarks) {
   if (parameters.landmarks().empty())
     return;
-  landmarks_ = evaluation::read_landmarks(parameters.landmarks());
+  landmarks_ = evaluation::read_landmarks(parameters.landmarks(), remarks);
   supine_offset_ = parameters.files().supine_offset;
   for (evaluation::Landmark& landmark : landmarks_)
     landmark.supine += supine_offset_;
+}
+
+void LandmarkEvaluation::check_places(Position position, const image::LabelImage& breast,
+                                      Remarks& remarks) const {
+  const auto is_inside = [](std::uint8_t value) { return value != 0; };
+  if (!has_landmarks() || std::all_of(breast.values.begin(), breast.values.end(), is_inside) ||
+      std::none_of(breast.values.begin(), breast.values.end(), is_inside))
+    return;
+  const image::ScalarImage distance = image::signed_distance(breast);
+  const image::Sampler sampler(distance);
+  std::vector<std::string> outside;
+  for (const evaluation::Landmark& landmark : landmarks_) {
+    const Point<3>& x = position == Position::prone ? landmark.prone : landmark.supine;
+    const Point<3> nearest = nearest_in(breast.grid, x);
+    if (x.distance(nearest) + std::max(0.f, sampler.value(nearest)) > far_outside)
+      outside.push_back("'" + landmark.id + "'");
+  }
+  if (outside.empty())
+    return;
+  const std::size_t n_outside = outside.size();
+  outside.resize(std::min(n_outside, n_named));
+  remarks.add(format(
+      "%zu of %zu landmarks lie more than %g mm outside of the %s breast, such as %s; "
+      "check that they are LPS positions in mm, of this image, and that prone and "
+      "supine are not exchanged.",
+      n_outside, landmarks_.size(), far_outside, name_of(position), joined(outside).c_str()));
 }
 
 std::optional<ErrorStatistics> LandmarkEvaluation::initial() const {

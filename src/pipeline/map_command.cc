@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <cstdio>
 
 #include "prosup/core/output_file.h"
+#include "prosup/core/text.h"
 #include "prosup/evaluation/point_mapper.h"
 #include "prosup/evaluation/points.h"
 #include "prosup/pipeline/commands.h"
@@ -16,19 +18,40 @@ namespace {
 
 constexpr double far_outside = 2.; // mm: more than the mesh's own error at the skin
 
+/// Says which points lay outside, once for each that did.
+void say_outside(const std::vector<std::string>& ids) {
+  if (ids.empty())
+    return;
+  constexpr std::size_t n_named = 5;
+  const std::vector<std::string> first(ids.begin(),
+                                       ids.begin() + long(std::min(ids.size(), n_named)));
+  std::fprintf(
+      stderr,
+      "Warning: %zu times a point lay more than %g mm outside the mesh (%s%s); it was moved "
+      "with the closest point of the mesh.\n",
+      ids.size(), far_outside, joined(first).c_str(), ids.size() > n_named ? " and others" : "");
+}
+
 } // namespace
 
 void run_map(const MapRequest& request) {
   require_finished(request.result);
-  require_csv(request.output);
-  OutputFile output(request.output,
-                    {{request.points}, request.overwrite, evaluation::points_header});
-  std::vector<evaluation::NamedPoint> points = evaluation::read_points(request.points);
-  std::size_t n_outside = 0;
+  const evaluation::PointFormat format = evaluation::output_format(request.output);
+  const bool is_csv = format == evaluation::PointFormat::csv;
+  OutputFile output(request.output, {{request.points},
+                                     request.overwrite,
+                                     is_csv ? evaluation::points_header : ""});
+  Remarks remarks;
+  std::vector<evaluation::NamedPoint> points = evaluation::read_points(request.points, remarks);
+  // Not on standard output, where the points may go.
+  for (const std::string& remark : remarks.all())
+    std::fprintf(stderr, "Warning: %s\n", remark.c_str());
+  std::vector<std::string> outside;
   const auto apply = [&](const PointMapper& mapper, evaluation::Configuration from) {
     for (evaluation::NamedPoint& point : points) {
       const MappedPoint mapped = mapper.map(point.position, from);
-      n_outside += mapped.distance_outside > far_outside;
+      if (mapped.distance_outside > far_outside)
+        outside.push_back("'" + point.id + "'");
       point.position = mapped.position;
     }
   };
@@ -36,12 +59,8 @@ void run_map(const MapRequest& request) {
     apply(read_mapper(request.result, request.from), evaluation::Configuration::loaded);
   if (request.to != "unloaded" && request.from != request.to)
     apply(read_mapper(request.result, request.to), evaluation::Configuration::unloaded);
-  if (n_outside > 0)
-    std::fprintf(stderr,
-                 "prosup: %zu times a point lay more than %g mm outside the mesh; it was moved "
-                 "with the closest point of the mesh.\n",
-                 n_outside, far_outside);
-  evaluation::write_points(points, output.path());
+  say_outside(outside);
+  evaluation::write_points(points, output.path(), format);
   output.commit();
 }
 

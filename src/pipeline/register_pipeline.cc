@@ -76,9 +76,14 @@ bool RegisterPipeline::run() {
 void RegisterPipeline::read() {
   on_root(registration_.ranks().world(), [&] {
     case_files_.require_pair();
-    landmarks_.read(case_files_);
+    landmarks_.read(case_files_, run_.remarks());
   });
   registration_.read(case_files_.files(), run_.remarks());
+  on_root(registration_.ranks().world(), [&] {
+    for (const Position position : both_positions)
+      landmarks_.check_places(position, registration_.inputs().originals[position].breast,
+                              run_.remarks());
+  });
   run_.summary().tre.initial = landmarks_.initial();
 }
 

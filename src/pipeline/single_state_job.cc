@@ -45,7 +45,7 @@ bool SingleStateJob::run() {
 void SingleStateJob::read() {
   const CaseParameters& given = parameters_.case_files;
   const registration::InputReader& images = parameters_.registration.images;
-  landmarks_.read(given);
+  landmarks_.read(given, run_.remarks());
   given.require_labels(position_);
   scene_.labels[position_] = images.read_labels(given.files(), position_, run_.remarks());
   if (!given.files().labels[other(position_)].empty() &&

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "prosup/core/remarks.h"
+
 namespace prosup::evaluation {
 
 using dealii::Point;
@@ -22,11 +24,17 @@ struct Landmark {
 
 /// Reads landmarks from a CSV file. The header must name the columns id, prone_x, prone_y,
 /// prone_z, supine_x, supine_y and supine_z, in any order, and all or none of unloaded_x,
-/// unloaded_y and unloaded_z. Other columns are ignored.
+/// unloaded_y and unloaded_z. Other columns are ignored; docs/points.md has what else is
+/// understood. What was turned or assumed goes to `remarks`.
 /// @throws Error that names the file, the line and what is allowed, if the file is missing or
 /// empty, a column is missing or occurs twice, a row has too many or too few values, a number
 /// is not finite, or an id occurs twice.
+std::vector<Landmark> read_landmarks(const std::filesystem::path& file, Remarks& remarks);
 std::vector<Landmark> read_landmarks(const std::filesystem::path& file);
+
+/// Reads the `text` of landmarks that came from the file `name`. @throws Error as read_landmarks().
+std::vector<Landmark> parse_landmarks(const std::string& text, const std::string& name,
+                                      Remarks& remarks);
 
 } // namespace prosup::evaluation
 

@@ -16,16 +16,17 @@ struct LandmarkObserver {
   std::vector<Landmark> landmarks;
 };
 
-/// Reads the landmarks of an observer, who is named after the file.
+/// Reads the landmarks of an observer, who is named after the file. What was turned or assumed
+/// goes to `remarks`.
 /// @throws Error as read_landmarks().
-LandmarkObserver read_observer(const std::filesystem::path& file);
+LandmarkObserver read_observer(const std::filesystem::path& file, Remarks& remarks);
 
 /// Reads a control observer, who saw the prone landmarks of `first` and picked the supine
 /// positions: a CSV file with the columns id, supine_x, supine_y and supine_z, or a file for
 /// read_points(). The prone positions are those of `first`.
 /// @throws Error as read_points(), or for an id that `first` does not have.
 LandmarkObserver read_control_observer(const std::filesystem::path& file,
-                                       const LandmarkObserver& first);
+                                       const LandmarkObserver& first, Remarks& remarks);
 
 /// The landmarks over which a statistic is taken.
 enum class Selection { all, reliable };

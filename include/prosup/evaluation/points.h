@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "prosup/core/remarks.h"
+
 namespace prosup::evaluation {
 
 using dealii::Point;
@@ -16,22 +18,43 @@ struct NamedPoint {
   Point<3> position; ///< LPS, mm
 };
 
+/// The formats of lists of points.
+enum class PointFormat { csv, fcsv, mrk_json };
+
+/// The format that the ending of the file name gives, whatever the case of its letters.
+/// @throws Error that lists the endings if it is none of them.
+PointFormat point_format(const std::filesystem::path& file);
+
 /// Reads points. The extension of the file name gives the format:
-///  - `.csv`: a header with the columns id, x, y, z in any order, LPS mm;
+///  - `.csv`: a header with the columns id, x, y, z in any order, LPS mm (docs/points.md has what
+///    else is understood);
 ///  - `.fcsv`: markups of 3D Slicer, in the coordinate system that the header
 ///    CoordinateSystem names (LPS, RAS, or the older 1 and 0);
 ///  - `.mrk.json`: markups of 3D Slicer, all control points, in the coordinateSystem of each
 ///    markup (default LPS). Points without a defined position are skipped.
 /// In the formats of 3D Slicer the label of a point becomes its id; if the label is empty, the
-/// id in the file does.
+/// id in the file does. What was skipped, turned or assumed goes to `remarks`.
 /// @throws Error that names the file, the line or point, and what is allowed.
+std::vector<NamedPoint> read_points(const std::filesystem::path& file, Remarks& remarks);
 std::vector<NamedPoint> read_points(const std::filesystem::path& file);
 
-/// The first line of what write_points() writes.
+/// Reads the `text` of a list of points that came from the file `name`.
+/// @throws Error as read_points().
+std::vector<NamedPoint> parse_points(const std::string& text, PointFormat format,
+                                     const std::string& name, Remarks& remarks);
+
+/// The first line of points that are written as CSV.
 constexpr const char* points_header = "id,x,y,z";
 
-/// Writes points as CSV with the columns id, x, y, z; LPS mm, to 1e-6 mm.
+/// The format that the ending of an output gives; a name without one, such as /dev/stdout, means
+/// CSV. @throws Error if the ending is another one.
+PointFormat output_format(const std::filesystem::path& file);
+
+/// Writes points, LPS mm, to 1e-6 mm.
 /// @throws Error if a coordinate is not finite or the file cannot be written.
+void write_points(const std::vector<NamedPoint>& points, const std::filesystem::path& file,
+                  PointFormat format);
+/// The same in the format that output_format() gives.
 void write_points(const std::vector<NamedPoint>& points, const std::filesystem::path& file);
 
 } // namespace prosup::evaluation

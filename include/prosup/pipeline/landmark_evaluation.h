@@ -8,6 +8,7 @@
 
 #include "prosup/evaluation/landmarks.h"
 #include "prosup/evaluation/target_registration_error.h"
+#include "prosup/image/voxel_image.h"
 #include "prosup/mesh/tet_mesh.h"
 #include "prosup/pipeline/case_parameters.h"
 
@@ -17,8 +18,13 @@ namespace prosup::pipeline {
 /// does not know. For one rank.
 class LandmarkEvaluation {
 public:
-  /// Reads the landmarks of a case; without a file there is nothing to evaluate.
-  void read(const CaseParameters& parameters);
+  /// Reads the landmarks of a case; without a file there is nothing to evaluate. What is doubtful
+  /// goes to `remarks`.
+  void read(const CaseParameters& parameters, Remarks& remarks);
+
+  /// Says which landmarks lie outside of the breast, whose mask in one position is `breast`: they
+  /// may be in another coordinate system, in another unit or of another position.
+  void check_places(Position position, const image::LabelImage& breast, Remarks& remarks) const;
 
   bool has_landmarks() const { return !landmarks_.empty(); }
 

@@ -70,7 +70,8 @@ TEST(Observers, ControlObserverHasTheProneLandmarksOfTheFirst) {
   for (const char* header : {"id,x,y,z", "id,supine_x,supine_y,supine_z"}) {
     const auto file =
         text_file(folder / "control.csv", std::string(header) + "\nc,1,1,5\na,3,0,2\n");
-    const LandmarkObserver control = read_control_observer(file, first);
+    Remarks remarks;
+    const LandmarkObserver control = read_control_observer(file, first, remarks);
     EXPECT_EQ(control.name, "control");
     ASSERT_EQ(control.landmarks.size(), 2u);
     EXPECT_EQ(control.landmarks[0].prone, Point<3>(1, 1, 1));
@@ -94,7 +95,9 @@ TEST(Observers, WhereAllAreExcludedThereIsNoFigure) {
 TEST(Observers, MistakesAreNamed) {
   const TemporaryFolder folder;
   const auto file = text_file(folder / "control.csv", "id,x,y,z\ne,1,1,5\n");
-  expect_error([&] { read_control_observer(file, first); }, {"'e'", "control.csv", "'first'"});
+  Remarks remarks;
+  expect_error([&] { read_control_observer(file, first, remarks); },
+               {"'e'", "control.csv", "'first'"});
   expect_error([] { ObserverStudy({}, 10.); }, {"No observer"});
   const LandmarkObserver other{"other", {landmark("z", Point<3>(), Point<3>())}};
   expect_error([&] { ObserverStudy({first, other}, 10.); }, {"same id"});

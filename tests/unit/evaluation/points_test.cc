@@ -105,7 +105,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"p.txt", "id,x,y,z\n", {".fcsv or .mrk.json"}},
         BadFile{"p.csv", "id,x,y\na,1,2\n", {"no column 'z'"}},
         BadFile{"p.csv", "id,x,y,z\na,1,2,three\n", {"line 2", "'three'"}},
-        BadFile{"p.fcsv", fcsv("IJK"), {"line 4", "'IJK'", "LPS or RAS"}},
+        BadFile{"p.fcsv", fcsv("IJK"), {"line 2", "'IJK'", "LPS or RAS"}},
         BadFile{"p.fcsv", "1,2,3,4\n", {"coordinate system"}},
         BadFile{"p.fcsv", "# CoordinateSystem = LPS\n1,2,3\n", {"line 2", "3 values"}},
         BadFile{"p.fcsv", "# CoordinateSystem = LPS\n1,2,3,x\n", {"line 2", "'x'"}},
@@ -119,7 +119,7 @@ INSTANTIATE_TEST_SUITE_P(
                 {"'F'", "three coordinates"}},
         BadFile{"p.mrk.json",
                 R"({"markups": [{"controlPoints": [{"label": "F", "position": [1, 2, null]}]}]})",
-                {"not a markups file"}}));
+                {"'F'", "three coordinates"}}));
 
 } // namespace
 } // namespace prosup::tests
