@@ -84,6 +84,9 @@ std::string one_line(const std::string& text) {
     else if (!line.empty() && line.back() != ' ')
       line += ' ';
   }
+  // NRRD's library tells the way that a mistake took; the last is the mistake.
+  if (const std::size_t last = line.rfind("[nrrd] "); last != std::string::npos)
+    line.erase(0, last + 7);
   while (!line.empty() && (line.back() == ' ' || line.back() == '.'))
     line.pop_back();
   // The text becomes part of one sentence.

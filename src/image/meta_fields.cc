@@ -6,20 +6,13 @@
 
 #include "prosup/core/error.h"
 #include "prosup/core/log.h"
+#include "prosup/core/text.h"
 
 namespace prosup::image {
 
 namespace {
 
 constexpr const char* last_name = "ElementDataFile";
-
-std::string trimmed(const std::string& text) {
-  constexpr const char* blanks = " \t\r";
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string::npos)
-    return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
 
 std::optional<double> number_of(const std::string& word) {
   const char* first = word.data() + (word[0] == '+' ? 1 : 0);

@@ -7,6 +7,7 @@
 
 #include "file_formats.h"
 #include "itk_bridge.h"
+#include "nrrd_file.h"
 #include "prosup/core/error.h"
 #include "prosup/core/log.h"
 #include "prosup/image/image_io.h"
@@ -37,12 +38,13 @@ void check_header(const itk::ImageIOBase& io, unsigned n_components, const std::
 }
 
 template <typename T>
-VoxelImage<T> read_by_itk(const fs::path& path) {
+VoxelImage<T> read_by_itk(const fs::path& path, Remarks& remarks) {
   const std::string file = path.string();
   const QuietItk quiet;
   const auto io = nrrd_format();
   constexpr unsigned n_components = sizeof(T) / sizeof(float);
   try {
+    const std::optional<NrrdPlace> place = check_nrrd(path, remarks);
     io->SetFileName(file);
     io->ReadImageInformation();
     check_header(*io, n_components, file);
@@ -50,7 +52,8 @@ VoxelImage<T> read_by_itk(const fs::path& path) {
     reader->SetImageIO(io);
     reader->SetFileName(file);
     reader->Update();
-    const auto& output = *reader->GetOutput();
+    auto& output = *reader->GetOutput();
+    put(place, output);
     return from_itk<T>(output, geometry(output));
   } catch (const itk::ExceptionObject& exception) {
     throw Error(format("'%s' cannot be read (%s); it may be damaged or incomplete.", file.c_str(),
@@ -88,7 +91,7 @@ std::pair<ScalarImage, double> read_scalars(const fs::path& file, Remarks& remar
     std::pair<ScalarImage, double> result;
     const FileFormat format = format_of(file);
     if (format == FileFormat::nrrd) {
-      result.first = read_by_itk<float>(file);
+      result.first = read_by_itk<float>(file, remarks);
     } else {
       Volume volume = format == FileFormat::nifti ? read_nifti(file, 1, transform, remarks)
                                                   : read_meta_image(file, 1, remarks);
@@ -124,7 +127,7 @@ VectorImage read_displacement(const fs::path& file) {
     const FileFormat format = format_of(file);
     if (format == FileFormat::nifti)
       refuse_nifti_vectors(file);
-    VectorImage field = format == FileFormat::nrrd ? read_by_itk<std::array<float, 3>>(file)
+    VectorImage field = format == FileFormat::nrrd ? read_by_itk<std::array<float, 3>>(file, untold)
                                                    : as_vectors(read_meta_image(file, 3, untold));
     check_finite(field, file);
     return field;

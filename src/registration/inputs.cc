@@ -11,6 +11,7 @@
 #include "prosup/image/contrast.h"
 #include "prosup/image/filters.h"
 #include "prosup/image/image_io.h"
+#include "prosup/image/segmentation.h"
 #include "prosup/similarity/similarity_parameters.h"
 
 namespace prosup::registration {
@@ -106,7 +107,7 @@ void InputReader::declare_parameters(ParameterHandler& prm) {
 }
 
 LabelImage InputReader::labels_in(const std::string& file, Remarks& remarks) const {
-  LabelImage labels = image::read_labels(file, remarks, nifti_transform());
+  LabelImage labels = image::read_tissues(file, labels_, remarks, nifti_transform());
   check_extent(labels.grid, file);
   return labels;
 }
@@ -142,15 +143,18 @@ LabelImage InputReader::checked_labels(const CaseFiles& files, Position position
 LabelImage InputReader::read_labels(const CaseFiles& files, Position position,
                                     Remarks& remarks) const {
   LabelImage labels = checked_labels(files, position, remarks);
+  // A cropped label image ends where the image does not.
+  if (!files.images[position].empty())
+    read_original(files, position, labels, remarks);
   const double edge = isotropic_edge(labels.grid);
   return edge > 0. ? image::resample_isotropic(labels, edge) : labels;
 }
 
 OriginalImage InputReader::read_original(const CaseFiles& files, Position position,
-                                         const LabelImage& labels, Remarks& remarks) const {
+                                         LabelImage& labels, Remarks& remarks) const {
   const std::string& file = files.images[position];
   ScalarImage image = placed(image::read_image(file, remarks, nifti_transform()), files, position);
-  image::check_labels_fit(image, labels, file, files.labels[position]);
+  labels = image::fit_labels(std::move(labels), image, files.labels[position], file, remarks);
   return {std::move(image), image::select_labels(labels, labels_.tissues)};
 }
 
@@ -158,9 +162,8 @@ std::optional<OriginalImage> InputReader::read_image(const CaseFiles& files, Pos
                                                      Remarks& remarks) const {
   if (files.images[position].empty())
     return {};
-  return read_original(files, position,
-                       placed(labels_in(files.labels[position], remarks), files, position),
-                       remarks);
+  LabelImage labels = checked_labels(files, position, remarks);
+  return read_original(files, position, labels, remarks);
 }
 
 LabelImage InputReader::read_excluded(const CaseFiles& files, Position position,
@@ -168,10 +171,9 @@ LabelImage InputReader::read_excluded(const CaseFiles& files, Position position,
   const std::string& file = files.excluded[position];
   if (file.empty())
     return {};
-  LabelImage mask = placed(labels_in(file, remarks), files, position);
-  image::check_labels_fit(image, mask, files.images[position], file);
-  for (std::uint8_t& value : mask.values)
-    value = value != 0;
+  const LabelImage mask = image::fit_labels(
+      placed(image::read_mask(file, remarks, nifti_transform()), files, position), image, file,
+      files.images[position], remarks);
   const double edge = isotropic_edge(mask.grid);
   return edge > 0. ? image::resample_isotropic(mask, edge) : mask;
 }

@@ -100,7 +100,7 @@ TEST_F(PhantomCommand, WritesWhatACaseHolds) {
   for (const char* state : {"prone", "supine", "unloaded"}) {
     const auto picture = image::read_image(result / (std::string(state) + ".nii.gz"));
     const auto labels = image::read_labels(result / (std::string(state) + "_labels.nii.gz"));
-    image::check_labels_fit(picture, labels, state, "its labels");
+    EXPECT_TRUE(labels.grid.coincides_with(picture.grid)) << state;
     for (const unsigned label : {1u, 2u, 3u})
       image::require_label(labels, label, "tissue", state);
   }

@@ -48,11 +48,15 @@ void write_labels(const LabelImage& image, const std::filesystem::path& file);
 /// of its vector fields.
 void write_displacement(const VectorImage& field, const std::filesystem::path& file);
 
-/// Checks that a label image has the voxels of its image.
-/// @throws Error that names both files and where they differ (size, spacing,
-/// direction, origin) with both values.
-void check_labels_fit(const ScalarImage& image, const LabelImage& labels,
-                      const std::string& image_name, const std::string& labels_name);
+/// Labels on the voxels of their image. If they lie on those but for rounding of headers (a tenth
+/// of a voxel), they get its grid; if their grid is another one with parallel axes, such as a
+/// cropped, coarser or finer one, they are resampled by the nearest voxel, which `remarks` are
+/// told.
+/// @throws Error that names both files and where they differ (size, spacing, direction, origin)
+/// with both values, if there are as many voxels in another place, if the axes are not parallel, or
+/// if less than half of the labels lie within the image.
+LabelImage fit_labels(LabelImage labels, const ScalarImage& image, const std::string& labels_name,
+                      const std::string& image_name, Remarks& remarks);
 
 /// Checks that at least one voxel has `label`, which means `what`.
 /// @throws Error that names the file and the labels that it has.

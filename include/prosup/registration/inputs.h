@@ -50,7 +50,7 @@ public:
   /// that are not there.
   Inputs read_pair(const CaseFiles& files, MPI_Comm communicator, Remarks& remarks) const;
 
-  /// The labels of one position, isotropic; for one rank.
+  /// The labels of one position, isotropic, on the grid of its image if one is given; for one rank.
   image::LabelImage read_labels(const CaseFiles& files, Position position, Remarks& remarks) const;
 
   /// The image of one position as it is, checked against its labels, or nothing if none is given;
@@ -59,8 +59,9 @@ public:
                                           Remarks& remarks) const;
 
 private:
-  OriginalImage read_original(const CaseFiles& files, Position position,
-                              const image::LabelImage& labels, Remarks& remarks) const;
+  /// Reads the image, and puts `labels` on its voxels.
+  OriginalImage read_original(const CaseFiles& files, Position position, image::LabelImage& labels,
+                              Remarks& remarks) const;
   void prepare(const CaseFiles& files, Position position, Inputs& inputs, Remarks& remarks) const;
   image::LabelImage checked_labels(const CaseFiles& files, Position position,
                                    Remarks& remarks) const;

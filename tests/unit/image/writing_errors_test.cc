@@ -38,27 +38,6 @@ TEST(Writing, RefusesDisplacementsInNifti) {
                {"u.nii.gz", "NRRD"});
 }
 
-TEST(LabelChecks, SayHowGridsDiffer) {
-  const ScalarImage image(flipped_grid());
-  const auto message = [&](const VoxelGrid& grid, const std::vector<std::string>& fragments) {
-    expect_error([&] { check_labels_fit(image, LabelImage(grid), "a.nii", "a_labels.nii"); },
-                 fragments);
-  };
-  VoxelGrid grid = image.grid;
-  grid.size[2] = 6;
-  message(grid, {"a.nii", "a_labels.nii", "size 9 x 8 x 6", "9 x 8 x 7"});
-  grid = image.grid;
-  grid.spacing[1] = 1.5;
-  message(grid, {"spacing (1.5, 1.5, 2.5)", "(1.5, 1.25, 2.5)"});
-  grid = image.grid;
-  grid.direction[0][0] = 1.;
-  message(grid, {"direction", "(1, 0, 0)", "(-1, 0, 0)"});
-  grid = image.grid;
-  grid.origin[0] = 31.;
-  message(grid, {"origin (31, 12, -41)", "(30, 12, -41)"});
-  EXPECT_NO_THROW(check_labels_fit(image, LabelImage(image.grid), "a.nii", "a_labels.nii"));
-}
-
 TEST(LabelChecks, SayWhichLabelsArePresent) {
   LabelImage labels(flipped_grid());
   labels.values[4] = 2;

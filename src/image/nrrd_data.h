@@ -1,0 +1,18 @@
+#ifndef PROSUP_SRC_IMAGE_NRRD_DATA_H
+#define PROSUP_SRC_IMAGE_NRRD_DATA_H
+
+#include <filesystem>
+
+#include "nrrd_header.h"
+
+namespace prosup::image {
+
+/// Checks that the voxels which the header of `file` announces are there, in the file itself or in
+/// those that it names. ITK allocates memory for them first.
+/// @throws Error that names the file if one is missing, damaged, too short or packed in a way that
+/// cannot be read.
+void check_nrrd_data(const NrrdHeader& header, const std::filesystem::path& file);
+
+} // namespace prosup::image
+
+#endif
