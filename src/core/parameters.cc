@@ -42,11 +42,43 @@ std::string as_clause(const ExceptionBase& exception) {
   return with_readable_pattern(line);
 }
 
+/// The files that `file` includes, as deal.II reads them: relative to the working folder.
+std::vector<std::filesystem::path> included(const std::filesystem::path& file) {
+  std::vector<std::filesystem::path> files;
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line);) {
+    const std::string text = Utilities::trim(line);
+    if (text.rfind("include ", 0) == 0 || text.rfind("INCLUDE ", 0) == 0)
+      files.push_back(Utilities::trim(text.substr(8)));
+  }
+  return files;
+}
+
+/// deal.II follows files that include each other for ever. `chain` leads to `file`.
+/// @throws Error if they do.
+void refuse_endless_includes(const std::filesystem::path& file,
+                             std::vector<std::filesystem::path>& chain) {
+  std::error_code ignored;
+  for (const std::filesystem::path& before : chain)
+    if (std::filesystem::equivalent(before, file, ignored))
+      throw Error("The parameter file '" + chain.front().string() + "' cannot be used: '" +
+                  chain.back().string() + "' includes '" + file.string() +
+                  "', which is being read already; remove this line.");
+  if (!std::filesystem::is_regular_file(file, ignored))
+    return;
+  chain.push_back(file);
+  for (const std::filesystem::path& next : included(file))
+    refuse_endless_includes(next, chain);
+  chain.pop_back();
+}
+
 void read_file(ParameterHandler& parameters, const std::filesystem::path& file) {
   if (!std::filesystem::is_regular_file(file))
     throw Error("The parameter file '" + file.string() +
                 "' does not exist or is no file; give the path of a .prm file, or write one with "
                 "--write-prm.");
+  std::vector<std::filesystem::path> chain;
+  refuse_endless_includes(file, chain);
   try {
     parameters.parse_input(file.string(), "", false);
   } catch (const ExceptionBase& exception) {

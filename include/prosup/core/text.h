@@ -37,6 +37,10 @@ inline bool ends_with(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
+/// `text` with a '?' for each control character, and without its middle if it is longer than any
+/// message: what it quotes may come from a damaged file.
+std::string one_printable_line(std::string text);
+
 } // namespace prosup
 
 #endif

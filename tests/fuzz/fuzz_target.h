@@ -1,0 +1,56 @@
+#ifndef PROSUP_TESTS_FUZZ_TARGET_H
+#define PROSUP_TESTS_FUZZ_TARGET_H
+
+#include <unistd.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "prosup/core/error.h"
+
+namespace prosup::tests {
+
+/// Ends the program, so that the input is kept, unless `message` is one sentence.
+inline void require_sentence(const std::string& message) {
+  const bool is_one = message.size() > 20 && message.back() == '.' &&
+                      message.find('\n') == std::string::npos &&
+                      message.find('\0') == std::string::npos;
+  if (is_one)
+    return;
+  std::fprintf(stderr, "not one sentence: '%s'\n", message.c_str());
+  std::abort();
+}
+
+/// Calls `parse`, which may refuse its input by an Error of one sentence; any other exception ends
+/// the program.
+template <typename Parse>
+void parse_or_refuse(const Parse& parse) {
+  try {
+    parse();
+  } catch (const Error& error) {
+    require_sentence(error.what());
+  }
+}
+
+/// A file with the bytes of the input, for parsers that read files; one for each name.
+inline std::filesystem::path input_file(const std::string& name, const std::uint8_t* data,
+                                        std::size_t size) {
+  static const std::filesystem::path folder = [] {
+    std::string pattern = (std::filesystem::temp_directory_path() / "prosup-fuzz-XXXXXX").string();
+    if (mkdtemp(pattern.data()) == nullptr)
+      std::abort();
+    return std::filesystem::path(pattern);
+  }();
+  std::ofstream(folder / name, std::ios::binary)
+      .write(reinterpret_cast<const char*>(data), std::streamsize(size));
+  return folder / name;
+}
+
+} // namespace prosup::tests
+
+#endif
