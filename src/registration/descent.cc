@@ -14,7 +14,7 @@ public:
   Descent(const ImageForceRegistration& parameters, BreastPair& pair, const Log& log,
           const Observer& observer)
       : parameters_(parameters), pair_(pair), log_(log), observer_(observer),
-        energy_(pair, parameters.smallest_jacobian_) {}
+        energy_(pair, {parameters.smallest_jacobian_, parameters.largest_jacobian_}) {}
 
   /// Updates on one level until nothing more is gained; the pair has the last good
   /// state.
@@ -57,9 +57,8 @@ private:
     const PairVectors direction = scheme_->direction(point, kappa);
     const double first = scheme_->first_length(length_);
     for (length_ = first; length_ > scheme_->shortest_part() * first; length_ *= 0.5) {
-      PairVectors trial = point.unloaded;
-      add(trial, length_, direction);
-      ImageEnergyPoint next = energy_.evaluate(std::move(trial), scheme_->needs_stiffness());
+      ImageEnergyPoint next = energy_.evaluate(energy_.moved(point.unloaded, length_, direction),
+                                               scheme_->needs_stiffness());
       if (next.is_allowed && next.value(kappa) < point.value(kappa)) {
         scheme_->accept(point, next);
         point = std::move(next);

@@ -6,29 +6,16 @@
 #include <limits>
 #include <utility>
 
-#include "prosup/mechanics/body/cell_edges.h"
 #include "prosup/registration/element_breast.h"
 
 namespace prosup::registration {
 
 using namespace dealii;
-using mechanics::cell_edges;
 using mechanics::NodeVector;
 
 namespace {
 
 constexpr double linear_tolerance = 1e-2;
-
-/// Smallest J = det dx/dX of a cell; 0 if one is inverted.
-double smallest_jacobian_of(const mechanics::Body& body, const NodeVector& unloaded) {
-  double smallest = std::numeric_limits<double>::max();
-  for (const auto& cell : body.cells()) {
-    const double V = determinant(cell_edges(cell, unloaded)),
-                 v = determinant(cell_edges(cell, body.vertex_positions()));
-    smallest = std::min(smallest, V > 0. ? v / V : 0.);
-  }
-  return smallest;
-}
 
 } // namespace
 
@@ -50,8 +37,8 @@ PairVectors ImageEnergyPoint::descent(double kappa) const {
   return force;
 }
 
-ImageEnergy::ImageEnergy(const BreastPair& pair, double smallest_jacobian)
-    : pair_(pair), smallest_jacobian_(smallest_jacobian) {
+ImageEnergy::ImageEnergy(const BreastPair& pair, const JacobianBounds& bounds)
+    : pair_(pair), bounds_(bounds) {
   pair_.for_each([&](Position position, Breast& breast) {
     ElementBreast& elements = *breast.elements();
     start_[position] = elements.unloading().unloaded();
@@ -89,11 +76,24 @@ ImageEnergyPoint ImageEnergy::evaluate(PairVectors unloaded, bool with_stiffness
     energy[position] = 0.5 * (force * way);
   });
   point.elastic_energy = sum_over_breasts(energy);
-  point.is_allowed = Utilities::MPI::min(jacobian, pair_.ranks().world()) > smallest_jacobian_;
+  point.is_allowed = Utilities::MPI::min(jacobian, pair_.ranks().world()) > bounds_.smallest;
   if (point.is_allowed)
     point.similarity = image_force_->evaluate(comparison_->domain(), bodies,
                                               similarity::Variable::unloaded, with_stiffness);
   return point;
+}
+
+PairVectors ImageEnergy::moved(const PairVectors& from, double length,
+                               const PairVectors& direction) const {
+  PairVectors to = from;
+  pair_.for_each([&](Position position, Breast& breast) {
+    NodeVector step = direction[position];
+    step *= length;
+    from[position].update_ghost_values();
+    limit_step(breast.elements()->body(), from[position], bounds_, step);
+    to[position] += step;
+  });
+  return to;
 }
 
 PairVectors ImageEnergy::solve(const ImageStiffness& stiffness, double factor,

@@ -7,6 +7,7 @@
 #include "prosup/mechanics/static/elastic_metric.h"
 #include "prosup/registration/comparison.h"
 #include "prosup/similarity/image_force.h"
+#include "step_limit.h"
 
 namespace prosup::registration {
 
@@ -37,9 +38,9 @@ struct ImageEnergyPoint {
 /// (Breast::elements()). Functions are collective on the world of the pair.
 class ImageEnergy {
 public:
-  /// X0 are the present positions of the pair. Elements have to keep J = det dx/dX above
-  /// `smallest_jacobian`.
-  ImageEnergy(const BreastPair& pair, double smallest_jacobian);
+  /// X0 are the present positions of the pair. Elements have to keep J = det dx/dX within the
+  /// bounds.
+  ImageEnergy(const BreastPair& pair, const JacobianBounds& bounds);
 
   /// Measures the dissimilarity by `comparison` from now on, which has to live as long as it is
   /// used.
@@ -47,6 +48,9 @@ public:
 
   /// `with_stiffness`: also that of the images.
   ImageEnergyPoint evaluate(PairVectors unloaded, bool with_stiffness) const;
+
+  /// From these positions along a direction, as far as the bounds of J let each node go.
+  PairVectors moved(const PairVectors& from, double length, const PairVectors& direction) const;
 
   /// (K + factor H)^-1 force in the displacements that the supports allow, H being the stiffness
   /// of the images or, if empty, none.
@@ -60,7 +64,7 @@ private:
   double sum_over_breasts(const PerPosition<double>& values) const;
 
   const BreastPair& pair_;
-  const double smallest_jacobian_;
+  const JacobianBounds bounds_;
   PerPosition<std::unique_ptr<mechanics::ElasticMetric>> metric_;
   PairVectors start_; // X0
   const Comparison* comparison_ = nullptr;

@@ -57,6 +57,12 @@ void ImageForceRegistration::declare_parameters(ParameterHandler& prm) {
                     "An update that brings any element below this J = det F is taken back. "
                     "Units: none.",
                     Patterns::Double(0., 1.));
+  prm.add_parameter(
+      "Largest Jacobian", largest_jacobian_,
+      "Nodes whose step would bring an element above this J = det F, so that its "
+      "unloaded shape gets flat, take a shorter one. Not for accumulated. Units: "
+      "none. Default: no element of the sample cases exceeds 1.8 without image forces.",
+      Patterns::Double(1., 1e6));
   prm.add_parameter("Least gain", least_gain_,
                     "A level ends with an update that gains less than this part of all that was "
                     "gained on the level. Not for accumulated. Units: none.",

@@ -67,6 +67,7 @@ private:
   unsigned updates_per_level_ = 20;
   double weight_ = 0.1;
   double smallest_jacobian_ = 0.2;
+  double largest_jacobian_ = 2.;
   double least_gain_ = 0.02;
   struct {
     std::string force_gradient;
