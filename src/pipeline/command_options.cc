@@ -54,12 +54,15 @@ OptionNames all_parameter_options() {
   return names;
 }
 
-void add_parameter_options(CLI::App& command, const OptionNames& names,
-                           const dealii::ParameterHandler& defaults, ParameterOptions& options) {
-  command.add_option("FILE", options.file, "Parameter file (.prm)");
+void add_output_option(CLI::App& command, ParameterOptions& options) {
   command.add_option("--output", options.output, "Folder for the results")->capture_default_str();
   command.add_flag("--overwrite", options.overwrite,
                    "Replace also files that prosup did not write or that changed since");
+}
+
+void add_parameter_options(CLI::App& command, const OptionNames& names,
+                           const dealii::ParameterHandler& defaults, ParameterOptions& options) {
+  command.add_option("FILE", options.file, "Parameter file (.prm)");
   command.add_option("--set", options.overrides,
                      "Set a parameter, \"Section/Entry=value\"; may be repeated");
   command.add_option("--write-prm", options.write_prm,

@@ -31,9 +31,12 @@ using OptionNames = std::vector<std::string>;
 /// All of them.
 OptionNames all_parameter_options();
 
-/// Adds FILE, --output, --overwrite, --set, --write-prm and the options in `names` to a command.
-/// The values go to `options`, which has to outlive the parsing; `defaults` holds all parameters as
-/// they are declared, for the help.
+/// Adds the options --output and --overwrite to a command.
+void add_output_option(CLI::App& command, ParameterOptions& options);
+
+/// Adds FILE, --set, --write-prm and the options in `names` to a command. The values go to
+/// `options`, which has to outlive the parsing; `defaults` holds all parameters as they are
+/// declared, for the help.
 void add_parameter_options(CLI::App& command, const OptionNames& names,
                            const dealii::ParameterHandler& defaults, ParameterOptions& options);
 

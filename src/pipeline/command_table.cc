@@ -84,10 +84,13 @@ void add_landmark_options(CLI::App& command, LandmarkRequest& request) {
 
 /// A command with a parameter file, and the options that it takes besides the common ones.
 Command with_parameters(const char* name, const char* text, const OptionNames& options,
-                        CommandFunction run) {
+                        CommandFunction run, bool writes_results = true) {
   return {name, text,
-          [options](CLI::App& app, const dealii::ParameterHandler& defaults, Request& request) {
+          [options, writes_results](CLI::App& app, const dealii::ParameterHandler& defaults,
+                                    Request& request) {
             add_parameter_options(app, options, defaults, request.parameters);
+            if (writes_results)
+              add_output_option(app, request.parameters);
           },
           [run](const Request& request, MPI_Comm world) {
             return run_with_parameters(run, request.parameters, world);
@@ -112,6 +115,10 @@ std::vector<Command> all_commands() {
               "register", "Both images and masks to the registered unloaded pair",
               all_of({images, labels, {"--landmarks"}, gravity, simulation, {"--similarity"}}),
               run_register),
+          with_parameters(
+              "check", "What is wrong with the input of register, in seconds",
+              all_of({images, labels, {"--landmarks"}, gravity, simulation, {"--similarity"}}),
+              run_check, false),
           with_parameters("unload", "One mask (and image) to its unloaded configuration",
                           all_of({one_breast, {"--landmarks"}}), run_unload),
           with_parameters("load",

@@ -19,6 +19,7 @@ namespace {
 namespace stage {
 constexpr const char* read = "Reading images";
 constexpr const char* align = "Aligning chests";
+constexpr const char* check = "Checking the scene";
 constexpr const char* mesh = "Meshing";
 constexpr const char* unloading = "Unloading";
 constexpr const char* material = "Material update";
@@ -48,8 +49,9 @@ RegisterPipeline::RegisterPipeline(const CaseParameters& case_files,
                                    const registration::RegistrationParameters& parameters,
                                    const ResultParameters& results, const ParameterHandler& all,
                                    const ResultTarget& output, MPI_Comm world)
-    : case_files_(case_files), results_(results), aligns_(parameters.pre_alignment.wanted()),
-      run_("register", all, output, world), registration_(parameters, world, run_.log()) {
+    : case_files_(case_files), checks_(parameters.checks), results_(results),
+      aligns_(parameters.pre_alignment.wanted()), run_("register", all, output, world),
+      registration_(parameters, world, run_.log()) {
   run_.summary().metric = parameters.similarity.metric;
   run_.summary().steps = 0;
   registration_.set_observer(
@@ -60,6 +62,7 @@ bool RegisterPipeline::run() {
   run_.stage(stage::read, [&] { read(); });
   if (aligns_)
     run_.stage(stage::align, [&] { align(); });
+  run_.stage(stage::check, [&] { check(); });
   run_.stage(stage::mesh, [&] { registration_.build(); });
   run_.stage(stage::unloading, [&] { unload(); });
   run_.stage(stage::material, [&] { match_properties(); });
@@ -91,6 +94,11 @@ void RegisterPipeline::align() {
   registration_.align();
   if (registration_.alignment())
     run_.summary().alignment = summary_of(*registration_.alignment());
+}
+
+void RegisterPipeline::check() {
+  const registration::SceneReport report = registration_.check();
+  on_root(registration_.ranks().world(), [&] { checks_.accept(report, run_.remarks()); });
 }
 
 void RegisterPipeline::unload() {

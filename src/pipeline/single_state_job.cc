@@ -34,6 +34,7 @@ SingleStateJob::SingleStateJob(const AllParameters& parameters, const dealii::Pa
 
 bool SingleStateJob::run() {
   run_.stage("Reading", [&] { on_root(world_, [&] { read(); }); });
+  on_root(world_, [&] { check(); });
   run_.stage(meshing, [&] { build(); });
   run_.stage(simulation_, [&] { simulate(); });
   run_.stage("Writing results", [&] { write(); });
@@ -53,6 +54,14 @@ void SingleStateJob::read() {
     scene_.labels[other(position_)] =
         images.read_labels(given.files(), other(position_), run_.remarks());
   original_ = images.read_image(given.files(), position_, run_.remarks());
+}
+
+void SingleStateJob::check() {
+  if (scene_.labels[position_].values.empty())
+    return;
+  const registration::SceneCheck& checks = parameters_.registration.checks;
+  const dealii::Tensor<1, 3>& gravity = parameters_.case_files.files().gravity[position_];
+  checks.accept(checks.check_one(scene_.labels[position_], position_, gravity), run_.remarks());
 }
 
 void SingleStateJob::build() {

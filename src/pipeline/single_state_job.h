@@ -57,6 +57,7 @@ protected:
   mesh::UnloadedMesh mesh_; ///< on rank 0
 
 private:
+  void check();
   void build();
   void simulate();
   void write();

@@ -42,14 +42,25 @@ void Registration::align() {
   inputs_.align_supine(to_prone);
 }
 
+PerPosition<dealii::Tensor<1, 3>> Registration::gravity() const {
+  return {files_.gravity.prone, inputs_.alignment.rotation * files_.gravity.supine};
+}
+
+SceneReport Registration::check() const {
+  SceneReport report;
+  on_root(ranks_.world(), [&] {
+    report = parameters_.checks.check_pair(inputs_, gravity(), metric_->needs_same_contrast());
+  });
+  return report;
+}
+
 void Registration::build() {
   if (!is_aligned_)
     align();
   const BreastModel& model = parameters_.model;
   const MechanicalProperties properties{model.material.initial(),
                                         model.supports.chest_stiffness(files_.chest)};
-  const PerPosition<dealii::Tensor<1, 3>> gravity{files_.gravity.prone, inputs_.alignment.rotation *
-                                                                            files_.gravity.supine};
+  const PerPosition<dealii::Tensor<1, 3>> gravity = this->gravity();
   const bool speaks = dealii::Utilities::MPI::max(int(log_.speaks()), ranks_.world()) > 0;
   pair_ = std::make_unique<BreastPair>(ranks_, properties, [&](Position position, MPI_Comm group) {
     return make_breast(model,

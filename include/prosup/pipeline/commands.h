@@ -21,6 +21,11 @@ namespace prosup::pipeline {
 bool run_register(const AllParameters& parameters, const dealii::ParameterHandler& all,
                   const ResultTarget& output, MPI_Comm world);
 
+/// `prosup check`: what is wrong with the input of run_register(), without any simulation; writes
+/// no files. @returns whether there are no errors.
+bool run_check(const AllParameters& parameters, const dealii::ParameterHandler& all,
+               const std::filesystem::path& output, MPI_Comm world);
+
 /// `prosup mesh`: the mask of one position to a mesh, with a quality report.
 bool run_mesh(const AllParameters& parameters, const dealii::ParameterHandler& all,
               const ResultTarget& output, MPI_Comm world);

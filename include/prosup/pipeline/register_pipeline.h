@@ -33,6 +33,7 @@ public:
 private:
   void read();
   void align();
+  void check();
   void unload();
   void match_properties();
   void match_images();
@@ -46,6 +47,7 @@ private:
   void write_on_root();
 
   const CaseParameters& case_files_;
+  const registration::SceneCheck& checks_;
   const ResultParameters& results_;
   const bool aligns_;
   ResultRun run_;

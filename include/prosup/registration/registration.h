@@ -14,6 +14,7 @@
 #include "prosup/registration/inputs.h"
 #include "prosup/registration/material_update.h"
 #include "prosup/registration/pre_alignment.h"
+#include "prosup/registration/scene_check.h"
 #include "prosup/similarity/similarity_parameters.h"
 
 namespace prosup::registration {
@@ -24,6 +25,7 @@ struct RegistrationParameters {
   Labels labels;
   InputReader images{labels};
   PreAlignment pre_alignment;
+  SceneCheck checks{labels};
   BreastModel model{labels};
   similarity::SimilarityParameters similarity;
   MaterialUpdate material_update;
@@ -73,6 +75,8 @@ public:
   /// Two parts of unload(), which does what the host has not done yet, for instance to time it.
   /// Lays the supine chest on the prone one if the parameters ask for it.
   void align();
+  /// What is wrong with the scene as it is aligned now, on rank 0; throws nothing for it.
+  SceneReport check() const;
   /// Meshes both breasts, or what else the numerical method starts with.
   void build();
 
@@ -84,6 +88,7 @@ public:
 
 private:
   ComparedImages compared() const;
+  PerPosition<dealii::Tensor<1, 3>> gravity() const;
 
   const RegistrationParameters& parameters_;
   const Log log_;

@@ -1,0 +1,156 @@
+#include "scene_pair.h"
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "prosup/image/sampling.h"
+
+namespace prosup::registration {
+
+using dealii::Point;
+using dealii::Tensor;
+using image::ScalarImage;
+
+namespace {
+
+constexpr double pixel = 6.; // mm, of the views
+constexpr std::size_t n_values_counted = 16;
+
+/// Distances of the points of one breast's base from the chest of another one, in its image.
+std::vector<double> distances(const BreastMeasures& points, const BreastMeasures& chest) {
+  std::vector<double> found;
+  if (chest.chest_distance.values.empty())
+    return found;
+  const image::VoxelGrid& grid = chest.chest_distance.grid;
+  const image::BasicSampler<double> distance(chest.chest_distance);
+  for (const Point<3>& x : points.base) {
+    const Point<3> index = grid.continuous_index(x);
+    bool inside = true;
+    for (unsigned d = 0; d < 3; ++d)
+      inside = inside && index[d] >= 0. && index[d] <= double(grid.size[d] - 1);
+    if (inside)
+      found.push_back(std::abs(distance.value(x)));
+  }
+  return found;
+}
+
+double share(std::size_t part, std::size_t all) {
+  return all > 0 ? double(part) / double(all) : 0.;
+}
+
+double percentile(std::vector<double>& values, double fraction) {
+  const auto rank = std::ptrdiff_t(fraction * double(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + rank, values.end());
+  return values[std::size_t(rank)];
+}
+
+void compare_chests(const PerPosition<BreastMeasures>& breasts, PairMeasures& result) {
+  std::vector<double> all;
+  for (const Position position : both_positions) {
+    const std::vector<double> found = distances(breasts[position], breasts[other(position)]);
+    result.in_view[position] = share(found.size(), breasts[position].base.size());
+    all.insert(all.end(), found.begin(), found.end());
+  }
+  if (all.empty())
+    return;
+  result.chest_median = percentile(all, 0.5);
+  result.chest_p90 = percentile(all, 0.9);
+}
+
+std::optional<TissueContrast> contrast_of(const ScalarImage& image, const image::LabelImage& labels,
+                                          const Labels& meaning) {
+  std::vector<double> fat, gland;
+  const std::array<bool, 256> is_tissue = tissue_table(meaning);
+  for (std::size_t v = 0; v < labels.values.size(); ++v)
+    if (labels.values[v] == meaning.gland)
+      gland.push_back(image.values[v]);
+    else if (is_tissue[labels.values[v]])
+      fat.push_back(image.values[v]);
+  if (fat.empty() || gland.empty())
+    return {};
+  return TissueContrast{percentile(fat, 0.5), percentile(gland, 0.5)};
+}
+
+std::vector<double> histogram(const ScalarImage& image, const image::LabelImage& labels,
+                              const Labels& meaning) {
+  constexpr std::size_t n_bins = 24;
+  std::vector<double> bins(n_bins, 0.);
+  const std::array<bool, 256> is_tissue = tissue_table(meaning);
+  double n = 0.;
+  for (std::size_t v = 0; v < labels.values.size(); ++v)
+    if (is_tissue[labels.values[v]]) {
+      const double t = (double(image.values[v]) + 0.1) / 1.2;
+      ++bins[std::size_t(std::clamp(t, 0., 0.9999) * double(n_bins))];
+      ++n;
+    }
+  for (double& bin : bins)
+    bin /= std::max(n, 1.);
+  return bins;
+}
+
+void compare_intensities(const PerPosition<BreastMeasures>& breasts, const Inputs& inputs,
+                         const Labels& meaning, double edge, PairMeasures& result) {
+  PerPosition<std::vector<double>> bins;
+  for (const Position position : both_positions) {
+    const image::LabelImage& labels = breasts[position].labels;
+    const ScalarImage image = thinned(inputs.images[position], edge);
+    result.contrast[position] = contrast_of(image, labels, meaning);
+    bins[position] = histogram(image, labels, meaning);
+    const OriginalImage& original = inputs.originals[position];
+    std::set<float> values;
+    for (std::size_t v = 0; v < original.breast.values.size() && values.size() < n_values_counted;
+         ++v)
+      if (original.breast.values[v] != 0)
+        values.insert(original.image.values[v]);
+    result.n_values[position] = values.size();
+  }
+  result.common_histogram = 0.;
+  for (std::size_t b = 0; b < bins.prone.size(); ++b)
+    result.common_histogram += std::min(bins.prone[b], bins.supine[b]);
+}
+
+/// Extent of the tissue along the patient's left, mm, and its centre.
+double width(const BreastMeasures& breast, const Labels& meaning) {
+  const std::array<bool, 256> is_tissue = tissue_table(meaning);
+  const auto& size = breast.labels.grid.size;
+  double low = 1e300, high = -1e300;
+  for (std::size_t v = 0; v < breast.labels.values.size(); ++v)
+    if (is_tissue[breast.labels.values[v]]) {
+      const double x = breast.labels.grid.physical(
+          double(v % size[0]), double(v / size[0] % size[1]), double(v / size[0] / size[1]))[0];
+      low = std::min(low, x);
+      high = std::max(high, x);
+    }
+  return std::max(high - low, 1e-9);
+}
+
+} // namespace
+
+PairMeasures compare(const PerPosition<BreastMeasures>& breasts, const Inputs& inputs,
+                     const PerPosition<Tensor<1, 3>>& gravity, const Labels& meaning, double edge) {
+  PairMeasures result;
+  const auto& [prone, supine] = breasts;
+  result.facing = prone.front * supine.front;
+  const double cosine =
+      gravity.prone * gravity.supine / (gravity.prone.norm() * gravity.supine.norm());
+  result.gravity_angle = 180. / dealii::numbers::PI * std::acos(std::clamp(cosine, -1., 1.));
+  compare_chests(breasts, result);
+  const auto ratio = [](double a, double b) { return b > 0. ? a / b : 0.; };
+  result.volume_ratio = ratio(prone.tissue_ml, supine.tissue_ml);
+  result.gland_ratio = ratio(prone.gland_ml, supine.gland_ml);
+  result.width_ratio = ratio(width(prone, meaning), width(supine, meaning));
+  if (prone.reach && supine.reach)
+    result.reach_ratio = ratio(*prone.reach, *supine.reach);
+  if (prone.front.norm() > 0. && supine.front.norm() > 0.)
+    result.fit = fit_of(front_view(prone, meaning, prone.front, pixel),
+                        front_view(supine, meaning, supine.front, pixel));
+  compare_intensities(breasts, inputs, meaning, edge, result);
+  result.same_image = inputs.originals.prone.image.values == inputs.originals.supine.image.values;
+  result.same_labels = inputs.scene.labels.prone.values == inputs.scene.labels.supine.values;
+  return result;
+}
+
+} // namespace prosup::registration
