@@ -9,12 +9,9 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
-#include <cmath>
-
-#include "prosup/core/error.h"
+#include "mesh_checks.h"
 #include "prosup/core/text_file.h"
 #include "prosup/mesh/boundary_codes.h"
-#include "prosup/mesh/deformation.h"
 #include "prosup/mesh/quality.h"
 #include "prosup/output/vtu.h"
 #include "vtk_errors.h"
@@ -25,20 +22,6 @@ namespace {
 
 using dealii::Point;
 using mesh::UnloadedMesh;
-
-void check(const UnloadedMesh& mesh, const std::string& name) {
-  const std::size_t n = mesh.mesh.points.size();
-  if (mesh.unloaded.size() != n || mesh.mesh.tissue.size() != mesh.mesh.cells.size())
-    throw Error("The mesh '" + name + "' has " + std::to_string(n) + " nodes with " +
-                std::to_string(mesh.unloaded.size()) + " unloaded positions and " +
-                std::to_string(mesh.mesh.cells.size()) + " cells with " +
-                std::to_string(mesh.mesh.tissue.size()) + " tissues; both pairs must be equal.");
-  for (std::size_t i = 0; i < n; ++i)
-    for (unsigned d = 0; d < 3; ++d)
-      if (!std::isfinite(mesh.mesh.points[i][d]) || !std::isfinite(mesh.unloaded[i][d]))
-        throw Error("Node " + std::to_string(i) + " of the mesh '" + name +
-                    "' has a position that is not a finite number; the mesh was not written.");
-}
 
 void add_vectors(vtkUnstructuredGrid& grid, const char* name, const std::vector<Point<3>>& ends,
                  const std::vector<Point<3>>* starts = nullptr) {
@@ -64,14 +47,11 @@ void add_cell_data(vtkUnstructuredGrid& grid, const UnloadedMesh& mesh,
   vtkNew<vtkDoubleArray> jacobian, quality;
   jacobian->SetName("J");
   quality->SetName("quality");
+  const std::vector<double> jacobians = checked_jacobians(mesh, name);
   for (std::size_t cell = 0; cell < mesh.mesh.cells.size(); ++cell) {
-    const double J = mesh::jacobian(mesh, cell);
-    if (!std::isfinite(J))
-      throw Error("Cell " + std::to_string(cell) + " of the mesh '" + name +
-                  "' has no volume in the unloaded configuration; the mesh was not written.");
     const auto& c = mesh.mesh.cells[cell];
     tissue->InsertNextValue(mesh.mesh.tissue[cell]);
-    jacobian->InsertNextValue(J);
+    jacobian->InsertNextValue(jacobians[cell]);
     quality->InsertNextValue(
         mesh::radius_ratio({nodes[c[0]], nodes[c[1]], nodes[c[2]], nodes[c[3]]}));
   }
@@ -125,7 +105,7 @@ void write_pvd(const std::filesystem::path& folder, const std::string& name) {
 
 void write_mesh(const UnloadedMesh& mesh, const std::filesystem::path& folder,
                 const std::string& name) {
-  check(mesh, name);
+  check_mesh(mesh, name);
   const auto& loaded_nodes = mesh.mesh.points;
   const auto loaded = make_grid(loaded_nodes, mesh.mesh);
   add_vectors(*loaded, "displacement", loaded_nodes, &mesh.unloaded);

@@ -54,7 +54,10 @@ bool run_with_parameters(CommandFunction run, const ParameterOptions& options, M
 
 void add_map_options(CLI::App& command, MapRequest& request) {
   const CLI::IsMember states({"prone", "supine", "unloaded"});
-  command.add_option("--result", request.result, "Result folder of prosup register")->required();
+  command
+      .add_option("--result", request.result,
+                  "Result folder of prosup register, or its registration.h5")
+      ->required();
   command.add_option("--from", request.from, "State of the points")->required()->check(states);
   command.add_option("--to", request.to, "State to map them to")->required()->check(states);
   command
@@ -66,7 +69,10 @@ void add_map_options(CLI::App& command, MapRequest& request) {
 }
 
 void add_landmark_options(CLI::App& command, LandmarkRequest& request) {
-  command.add_option("--result", request.result, "Result folder of prosup register")->required();
+  command
+      .add_option("--result", request.result,
+                  "Result folder of prosup register, or its registration.h5")
+      ->required();
   command.add_option("OBSERVERS", request.observers, "Landmarks of one observer each, CSV")
       ->required();
   command.add_option("--control", request.control,

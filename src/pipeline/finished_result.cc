@@ -1,6 +1,7 @@
 #include "prosup/pipeline/finished_result.h"
 
 #include "prosup/core/error.h"
+#include "prosup/output/registration_file.h"
 #include "prosup/output/vtu.h"
 
 namespace prosup::pipeline {
@@ -14,13 +15,25 @@ std::filesystem::path required(const std::filesystem::path& result, const std::s
   return result / name;
 }
 
+/// Whether a result is given by its HDF5 file alone.
+bool is_file(const std::filesystem::path& result) {
+  return std::filesystem::is_regular_file(result);
+}
+
 } // namespace
 
 void require_finished(const std::filesystem::path& result) {
-  required(result, "summary.json");
+  if (!is_file(result))
+    required(result, "summary.json");
 }
 
+// The HDF5 file comes first: it holds both breasts, and a checksum that tells whether it is whole.
+// Results of earlier versions have VTU files only.
 evaluation::PointMapper read_mapper(const std::filesystem::path& result, const std::string& state) {
+  const std::filesystem::path h5 = is_file(result) ? result : result / output::registration_h5;
+  if (std::filesystem::exists(h5))
+    return evaluation::PointMapper(output::read_registration(
+        h5, state == name_of(Position::prone) ? Position::prone : Position::supine));
   return evaluation::PointMapper(output::read_mesh(required(result, state + "_loaded.vtu")));
 }
 

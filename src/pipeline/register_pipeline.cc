@@ -4,6 +4,7 @@
 
 #include "prosup/core/collective.h"
 #include "prosup/output/pictures.h"
+#include "prosup/output/registration_file.h"
 #include "prosup/output/vtu.h"
 #include "prosup/pipeline/commands.h"
 #include "prosup/pipeline/descriptions.h"
@@ -41,6 +42,13 @@ output::AlignmentSummary summary_of(const registration::Alignment& alignment) {
     summary.information = {alignment.intensities->information_before,
                            alignment.intensities->information_after};
   return summary;
+}
+
+std::map<std::string, double> named(const MechanicalProperties& properties) {
+  return {{"shear_modulus", properties.tissue.shear_modulus},
+          {"poisson_ratio", properties.tissue.poisson_ratio},
+          {"gland_ratio", properties.tissue.gland_ratio},
+          {"chest_stiffness", properties.chest_stiffness}};
 }
 
 } // namespace
@@ -167,6 +175,7 @@ void RegisterPipeline::write_on_root() {
     summary.breasts[position] = output::summarize(found_.meshes[position]);
     output::write_mesh(found_.meshes[position], folder, name_of(position));
   }
+  output::write_registration(found_.meshes, named(found_.properties), folder);
   summary.inverse_consistency = evaluation::inverse_consistency(
       found_.meshes.prone.mesh.points, evaluation::PointMapper(found_.meshes.prone),
       evaluation::PointMapper(found_.meshes.supine));

@@ -29,6 +29,21 @@ SettlingResult Settling::advance(unsigned n_steps) {
   return simulate(n_steps, false);
 }
 
+std::map<std::string, double> Settling::memory() const {
+  return {{"lag_factor", caution_.lag_factor},
+          {"step_safety", caution_.step_safety},
+          {"gravity_ramp", caution_.gravity_ramp},
+          {"update_interval", caution_.update_interval},
+          {"tolerance", caution_.tolerance},
+          {"has_settled", has_settled_ ? 1. : 0.}};
+}
+
+void Settling::set_memory(const std::map<std::string, double>& memory) {
+  caution_ = {memory.at("lag_factor"), memory.at("step_safety"), memory.at("gravity_ramp"),
+              static_cast<unsigned>(memory.at("update_interval")), memory.at("tolerance")};
+  has_settled_ = memory.at("has_settled") > 0.;
+}
+
 void Settling::begin() {
   first_ = last_good_ = simulation_.take_snapshot();
   caution_at_begin_ = caution_;

@@ -28,6 +28,9 @@ public:
   Snapshot save() const;
   void restore(const Snapshot& snapshot);
 
+  mechanics::NodeMemory memory() const;
+  void recall(const mechanics::NodeMemory& memory);
+
   const Snapshot& state() const { return state_; } ///< but for the velocity
   settling::Settling& loop() { return loop_; }
 

@@ -66,4 +66,12 @@ void Unloading::restore(const Snapshot& snapshot) {
   simulation_->restore(snapshot);
 }
 
+mechanics::NodeMemory Unloading::memory() const {
+  return simulation_->memory();
+}
+
+void Unloading::recall(const mechanics::NodeMemory& memory) {
+  simulation_->recall(memory);
+}
+
 } // namespace prosup::unloading

@@ -50,7 +50,7 @@ bool run_compare(const AllParameters& parameters, const dealii::ParameterHandler
 
 /// What `prosup map` is asked for.
 struct MapRequest {
-  std::filesystem::path result; ///< folder of a finished registration
+  std::filesystem::path result; ///< folder of a finished registration, or its registration.h5
   std::string from, to;         ///< prone, supine or unloaded
   std::filesystem::path points, output;
   bool overwrite = false; ///< an output that prosup did not write
@@ -62,7 +62,7 @@ void run_map(const MapRequest& request);
 
 /// What `prosup landmarks` is asked for.
 struct LandmarkRequest {
-  std::filesystem::path result; ///< folder of a finished registration
+  std::filesystem::path result; ///< folder of a finished registration, or its registration.h5
   std::vector<std::filesystem::path> observers;
   std::filesystem::path control; ///< may be empty
   double exclude_above = 10.;    ///< mm, as in the paper

@@ -8,12 +8,13 @@
 
 namespace prosup::pipeline {
 
-/// @throws Error if `result` is not the result folder of a finished registration.
+/// @throws Error if `result` is neither the result folder of a finished registration nor a file,
+/// which has to be a registration.h5.
 void require_finished(const std::filesystem::path& result);
 
 /// The map between the loaded and the unloaded configuration of `state`, prone or supine, from a
-/// result folder of `register`.
-/// @throws Error if the mesh is missing.
+/// result folder of `register` or its registration.h5.
+/// @throws Error if the mesh is missing or damaged.
 evaluation::PointMapper read_mapper(const std::filesystem::path& result, const std::string& state);
 
 } // namespace prosup::pipeline

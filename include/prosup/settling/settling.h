@@ -2,6 +2,7 @@
 #define PROSUP_SETTLING_SETTLING_H
 
 #include <functional>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -50,6 +51,11 @@ public:
   void set_observer(std::function<bool(unsigned)> observer) { observer_ = std::move(observer); }
 
   const Caution& caution() const { return caution_; }
+
+  /// What earlier calls have learnt, by name, for a simulation that goes on in another process.
+  std::map<std::string, double> memory() const;
+  /// @throws std::out_of_range if something is missing.
+  void set_memory(const std::map<std::string, double>& memory);
 
 private:
   SettlingResult simulate(unsigned max_steps, bool until_settled);

@@ -8,6 +8,7 @@
 
 #include "prosup/core/log.h"
 #include "prosup/mechanics/body/body.h"
+#include "prosup/mechanics/body/node_memory.h"
 #include "prosup/mechanics/body/supports.h"
 #include "prosup/mechanics/element/internal_force.h"
 #include "prosup/settling/settling_result.h"
@@ -87,6 +88,12 @@ public:
 
   Snapshot save() const;
   void restore(const Snapshot& snapshot);
+
+  /// Everything but the material: what the simulation goes on from in another process, where its
+  /// next steps are the same as here.
+  mechanics::NodeMemory memory() const;
+  /// Goes on from there, with the material as it is. @throws Error if something is missing.
+  void recall(const mechanics::NodeMemory& memory);
 
 private:
   class Simulation;

@@ -71,6 +71,16 @@ HighestFrequency::HighestFrequency(const Body& body, const InternalForce& intern
   start_ = rough_;
 }
 
+void HighestFrequency::store(NodeMemory& memory) const {
+  memory.fields["highest_mode"] = start_;
+  memory.numbers["has_highest_mode"] = has_found_top_ ? 1. : 0.;
+}
+
+void HighestFrequency::recall(const NodeMemory& memory) {
+  start_ = memory.field("highest_mode");
+  has_found_top_ = memory.number("has_highest_mode") > 0.;
+}
+
 /// K v = (f(u + e v) - f(u - e v)) / 2e.
 NodeVector HighestFrequency::product(const NodeVector& displacement,
                                      const NodeVector& direction) const {

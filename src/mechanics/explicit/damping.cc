@@ -54,6 +54,29 @@ bool DampingControl::mend_fixed_rate(CentralDifferences& integrator, const NodeV
   return true;
 }
 
+void DampingControl::store(NodeMemory& memory) const {
+  memory.numbers["damping_scheme"] = static_cast<double>(scheme_);
+  memory.numbers["damping_rate"] = rate_;
+  memory.numbers["damping_frequency_factor"] = frequency_factor_;
+  memory.numbers["last_kinetic_energy"] = last_kinetic_energy_;
+  if (scheme_ == DampingScheme::adaptive) {
+    memory.fields["last_displacement"] = last_displacement_;
+    memory.fields["last_internal_force"] = last_internal_force_;
+  }
+}
+
+void DampingControl::recall(const NodeMemory& memory, CentralDifferences& integrator) {
+  scheme_ = static_cast<DampingScheme>(static_cast<int>(memory.number("damping_scheme")));
+  rate_ = memory.number("damping_rate");
+  frequency_factor_ = memory.number("damping_frequency_factor");
+  last_kinetic_energy_ = memory.number("last_kinetic_energy");
+  if (scheme_ == DampingScheme::adaptive) {
+    last_displacement_ = memory.field("last_displacement");
+    last_internal_force_ = memory.field("last_internal_force");
+  }
+  integrator.set_damping(rate_);
+}
+
 double DampingControl::frequency(const CentralDifferences& integrator,
                                  const NodeVector& displacement, const NodeVector& external_force) {
   double work = 0., inertia = 0.;

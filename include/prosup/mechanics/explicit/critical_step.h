@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "prosup/mechanics/body/body.h"
+#include "prosup/mechanics/body/node_memory.h"
 #include "prosup/mechanics/element/internal_force.h"
 
 namespace prosup::mechanics {
@@ -33,6 +34,11 @@ public:
   /// nodes. The next call starts from the Ritz vector of this one. Collective.
   Estimate estimate(const NodeVector& displacement, const std::vector<double>& mass,
                     const std::vector<bool>& fixed, double tolerance = 0.03);
+
+  /// The vector that the next call starts from, for a simulation that goes on in another process.
+  void store(NodeMemory& memory) const;
+  /// @throws Error if it is missing.
+  void recall(const NodeMemory& memory);
 
 private:
   NodeVector product(const NodeVector& displacement, const NodeVector& direction) const;

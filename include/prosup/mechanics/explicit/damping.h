@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "prosup/mechanics/body/node_memory.h"
 #include "prosup/mechanics/explicit/central_differences.h"
 
 namespace prosup::mechanics {
@@ -50,6 +51,11 @@ public:
   /// factor of three from the rate of that scheme. @returns whether it changed.
   bool mend_fixed_rate(CentralDifferences& integrator, const NodeVector& displacement,
                        const NodeVector& external_force);
+
+  /// What the rate came from, for a simulation that goes on in another process.
+  void store(NodeMemory& memory) const;
+  /// Sets the damping of `integrator` too. @throws Error if something is missing.
+  void recall(const NodeMemory& memory, CentralDifferences& integrator);
 
 private:
   double frequency(const CentralDifferences& integrator, const NodeVector& displacement,
