@@ -3,6 +3,7 @@
 #include "start_up.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cctype>
@@ -78,8 +79,21 @@ void open_standard_streams() {
       return; // there is no /dev/null
 }
 
+/// Without rights of the owner neither MPI nor this program can work in the folders they make.
+void keep_own_rights(char** variables) {
+  constexpr mode_t of_owner = 0700;
+  const mode_t mask = umask(0);
+  umask(mask & ~of_owner);
+  if ((mask & of_owner) != 0 && is_first_rank(variables))
+    std::fprintf(stderr,
+                 "prosup: The umask %04o takes from you the rights to what you make; files of "
+                 "this run keep them.\n",
+                 static_cast<unsigned>(mask));
+}
+
 void start_up(int, char**, char** variables) {
   open_standard_streams();
+  keep_own_rights(variables);
   take_out_wrong_numbers_of_threads(variables);
 }
 

@@ -83,7 +83,10 @@ bool is_foreign(const fs::path& folder) {
   return !fs::is_empty(folder, error) && !error && !fs::exists(folder / lock_name);
 }
 
-[[noreturn]] void throw_cannot_write_to(const std::string& what, int reason) {
+[[noreturn]] void throw_cannot_write_to(const std::string& what, const fs::path& folder,
+                                        int reason) {
+  std::error_code ignored;
+  fs::remove(folder, ignored); // if it is empty
   throw Error("The output '" + what + "' cannot be written to (" + std::strerror(reason) +
               "); choose another place with --output.");
 }
@@ -95,7 +98,7 @@ FolderLock::FolderLock(fs::path folder, const std::string& what) : folder_(std::
   Attempt attempt = Attempt::moved;
   while (attempt == Attempt::moved) {
     if (mkdir(folder_.c_str(), 0777) != 0 && errno != EEXIST)
-      throw_cannot_write_to(what, errno);
+      throw_cannot_write_to(what, folder_, errno);
     if (is_foreign(folder_))
       throw Error("The folder '" + folder_.string() +
                   "' is in the way of unfinished results and was not made by prosup; move it.");
@@ -103,7 +106,7 @@ FolderLock::FolderLock(fs::path folder, const std::string& what) : folder_(std::
     if (descriptor_ < 0 && errno == ENOENT)
       continue;
     if (descriptor_ < 0)
-      throw_cannot_write_to(what, errno);
+      throw_cannot_write_to(what, folder_, errno);
     attempt = try_lock(descriptor_, file);
     if (attempt != Attempt::got)
       close(descriptor_);
@@ -117,7 +120,7 @@ FolderLock::FolderLock(fs::path folder, const std::string& what) : folder_(std::
     const int reason = errno;
     clear();
     close(descriptor_);
-    throw_cannot_write_to(what, reason);
+    throw_cannot_write_to(what, folder_, reason);
   }
 }
 

@@ -35,8 +35,8 @@ ResultFolder::ResultFolder(ResultTarget target, std::vector<std::string> names)
   const bool is_there = is_folder(target_.folder);
   if (is_there)
     ResultReplacement(target_).check(names_);
-  else
-    fs::create_directories(target_.folder.parent_path(), error);
+  else if (fs::create_directories(target_.folder, error); !error)
+    fs::remove(target_.folder); // this only shows early that it can be made
   if (error)
     throw Error("The output folder '" + given + "' cannot be created (" + error.message() +
                 "); choose another with --output.");

@@ -94,12 +94,11 @@ void ResultReplacement::check(const std::vector<std::string>& names) const {
   if (all.empty())
     return;
   const std::size_t n = all.size();
-  throw Error("The output folder '" + target_.folder.string() + "' holds " +
-              (n == 1 ? "a file" : std::to_string(n) + " files") +
-              " in the way of the results that prosup did not write or that changed since ('" +
-              all.front() + "'" + (n == 1 ? "" : " is the first") +
-              "); choose another folder with --output, or replace " +
-              (n == 1 ? "it" : "these files") + " with --overwrite.");
+  throw Error("In the output folder '" + target_.folder.string() + "', '" + all.front() + "'" +
+              (n == 1 ? " is" : " and " + std::to_string(n - 1) + " more files are") +
+              " in the way of the results and not as prosup has written " +
+              (n == 1 ? "it" : "them") + "; choose another folder with --output, or replace " +
+              (n == 1 ? "the file" : "these files") + " with --overwrite.");
 }
 
 void ResultReplacement::remove_earlier(const ResultMarker& fresh) const {

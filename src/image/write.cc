@@ -63,9 +63,8 @@ void write(const VoxelImage<T>& image, const itk::ImageIOBase::Pointer& io,
   writer->SetUseCompression(true);
   try {
     writer->Update();
-  } catch (const itk::ExceptionObject& exception) {
-    throw Error(format("'%s' cannot be written (%s); check permissions and free space.",
-                       file.string().c_str(), one_line(exception.GetDescription()).c_str()));
+  } catch (const itk::ExceptionObject&) {
+    throw_cannot_write(file);
   }
   check_written(*io, file);
 }
