@@ -95,7 +95,7 @@ void ResultReplacement::check(const std::vector<std::string>& names) const {
     return;
   const std::size_t n = all.size();
   throw Error("In the output folder '" + target_.folder.string() + "', '" + all.front() + "'" +
-              (n == 1 ? " is" : " and " + std::to_string(n - 1) + " more files are") +
+              (n == 1 ? " is" : " and others (" + std::to_string(n) + " files) are") +
               " in the way of the results and not as prosup has written " +
               (n == 1 ? "it" : "them") + "; choose another folder with --output, or replace " +
               (n == 1 ? "the file" : "these files") + " with --overwrite.");
