@@ -100,10 +100,11 @@ LabelImage fit_labels(LabelImage labels, const ScalarImage& image, const std::st
   const bool same_size = labels.grid.size == grid.size;
   const bool parallel = are_parallel(labels.grid, grid);
   if ((same_size && !labels.grid.coincides_with(grid, 1.)) || !parallel)
-    throw Error(format(
-        "The labels '%s' do not lie on the voxels of the image '%s': %s; correct the "
-        "header that is wrong, or resample the labels to the image.",
-        labels_name.c_str(), image_name.c_str(), difference(labels.grid, grid, same_size || !parallel).c_str()));
+    throw Error(
+        format("The labels '%s' do not lie on the voxels of the image '%s': %s; correct the "
+               "header that is wrong, or resample the labels to the image.",
+               labels_name.c_str(), image_name.c_str(),
+               difference(labels.grid, grid, same_size || !parallel).c_str()));
   const double inside = share_inside(labels, grid);
   constexpr double least_inside = 0.5;
   if (inside < least_inside)

@@ -3,6 +3,7 @@
 #include <itkImageFileReader.h>
 #include <itkVectorImage.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "file_formats.h"
@@ -24,9 +25,10 @@ Layers::Pointer read_layers(const std::filesystem::path& path, Remarks& remarks)
   const std::string file = path.string();
   const QuietItk quiet;
   try {
+    const auto io = nrrd_format();
     const std::optional<NrrdPlace> place = check_nrrd(path, remarks);
     auto reader = itk::ImageFileReader<Layers>::New();
-    reader->SetImageIO(nrrd_format());
+    reader->SetImageIO(io);
     reader->SetFileName(file);
     reader->Update();
     Layers::Pointer layers = reader->GetOutput();
@@ -87,7 +89,8 @@ LabelImage read_tissues(const std::filesystem::path& file, const Labels& labels,
   return image;
 }
 
-LabelImage read_mask(const std::filesystem::path& file, Remarks& remarks, NiftiTransform transform) {
+LabelImage read_mask(const std::filesystem::path& file, Remarks& remarks,
+                     NiftiTransform transform) {
   if (!segments_of(file).empty())
     return label_voxels(
         *read_layers(file, remarks), file.string(), [](const float* values, std::size_t n_layers) {

@@ -171,9 +171,10 @@ LabelImage InputReader::read_excluded(const CaseFiles& files, Position position,
   const std::string& file = files.excluded[position];
   if (file.empty())
     return {};
-  const LabelImage mask = image::fit_labels(
-      placed(image::read_mask(file, remarks, nifti_transform()), files, position), image, file,
-      files.images[position], remarks);
+  LabelImage mask = image::read_mask(file, remarks, nifti_transform());
+  check_extent(mask.grid, file);
+  mask = image::fit_labels(placed(std::move(mask), files, position), image, file,
+                           files.images[position], remarks);
   const double edge = isotropic_edge(mask.grid);
   return edge > 0. ? image::resample_isotropic(mask, edge) : mask;
 }
