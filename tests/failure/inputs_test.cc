@@ -61,8 +61,14 @@ TEST_F(Input, ImageInThePlaceOfLabels) {
 }
 
 TEST_F(Input, LabelsThatDoNotFitTheirImage) {
-  expect_refused(registering({"--prone-labels", data_file("anthro1/prone_labels.nii.gz")}),
-                 {"prone_labels.nii.gz", "prone.nii.gz", "size", "141 x"});
+  // Fewer voxels are a cropped mask, which is resampled, unless it lies elsewhere.
+  const std::string elsewhere = changed_labels([](auto& labels) {
+    --labels.grid.size[2];
+    labels.values.resize(labels.grid.n_voxels());
+    labels.grid.origin[0] += 300.;
+  });
+  expect_refused(registering({"--prone-labels", elsewhere}),
+                 {elsewhere, "prone.nii.gz", "lie elsewhere", "only 0 %", "origin"});
   const std::string moved = changed_labels([](auto& labels) { labels.grid.origin[2] += 5.; });
   expect_refused(registering({"--prone-labels", moved}), {moved, "prone.nii.gz", "origin"});
   expect_refused({"unload", PROSUP_PRM_FOLDER "/tests/small.prm", "--output", output(),

@@ -1,5 +1,7 @@
 #include "prosup/evaluation/landmarks.h"
 
+#include <functional>
+
 #include "prosup/evaluation/landmarks_csv.h"
 #include "small_registration.h"
 
@@ -27,6 +29,37 @@ TEST(Landmarks, ControlObserverOfAFinishedRegistration) {
   std::snprintf(expected, sizeof expected, "registration_error,landmarks,all,%zu,%.2f",
                 picked.size(), tre.at("mean").get<double>());
   EXPECT_NE(table.find(expected), std::string::npos) << table << expected;
+}
+
+// In RAS, in metres, with prone and supine exchanged: the registration goes on, but says so.
+TEST(Landmarks, ThatLieElsewhereAreReported) {
+  EXPECT_TRUE(SmallRegistration::on_ranks(1).summary.at("warnings").empty());
+  const auto landmarks = evaluation::read_landmarks(data_file("small/landmarks.csv"));
+  const TemporaryFolder folder;
+  const std::vector<std::function<void(evaluation::Landmark&)>> mistakes{
+      [](auto& l) {
+        for (auto* x : {&l.prone, &l.supine})
+          *x = dealii::Point<3>(-(*x)[0], -(*x)[1], (*x)[2]);
+      },
+      [](auto& l) {
+        l.prone /= 1000.;
+        l.supine /= 1000.;
+      },
+      [](auto& l) { std::swap(l.prone, l.supine); }};
+  for (const auto& mistake : mistakes) {
+    auto wrong = landmarks;
+    for (auto& landmark : wrong)
+      mistake(landmark);
+    evaluation::write_landmarks(wrong, folder / "wrong.csv");
+    const ProgramRun run = run_prosup(
+        {"register", PROSUP_PRM_FOLDER "/tests/small.prm", "--landmarks", folder / "wrong.csv",
+         "--set", "Material update/Method=none", "--set", "Image forces/Levels=6", "--set",
+         "Image forces/Updates per level=1", "--output", folder / "out"});
+    ASSERT_EQ(run.exit_code, 0) << run.transcript();
+    const Json warnings = read_json(folder / "out/summary.json").at("warnings");
+    EXPECT_NE(warnings.dump().find("landmarks lie more than 5 mm outside"), std::string::npos)
+        << warnings.dump();
+  }
 }
 
 TEST(Landmarks, RefusesAFolderWithoutResult) {
