@@ -5,6 +5,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "axis_order.h"
 #include "file_formats.h"
 #include "itk_bridge.h"
 #include "nrrd_file.h"
@@ -100,6 +101,7 @@ std::pair<ScalarImage, double> read_scalars(const fs::path& file, Remarks& remar
       result.second = volume.step;
     }
     check_finite(result.first, file);
+    result.first = in_usual_order(std::move(result.first));
     return result;
   });
 }

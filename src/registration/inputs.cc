@@ -155,6 +155,11 @@ OriginalImage InputReader::read_original(const CaseFiles& files, Position positi
   const std::string& file = files.images[position];
   ScalarImage image = placed(image::read_image(file, remarks, nifti_transform()), files, position);
   labels = image::fit_labels(std::move(labels), image, files.labels[position], file, remarks);
+  if (const auto padding = image::replace_padding(image, labels))
+    remarks.add(
+        format("The value %g in %.0f %% of the air of '%s' was taken for padding beyond the "
+               "field of view and replaced by the intensity %g of the other air.",
+               padding->value, 100. * padding->share, file.c_str(), padding->air));
   return {std::move(image), image::select_labels(labels, labels_.tissues)};
 }
 

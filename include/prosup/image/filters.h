@@ -1,6 +1,7 @@
 #ifndef PROSUP_IMAGE_FILTERS_H
 #define PROSUP_IMAGE_FILTERS_H
 
+#include <optional>
 #include <vector>
 
 #include "prosup/image/voxel_image.h"
@@ -39,6 +40,19 @@ struct IntensityRange {
 /// order, or if both are the same intensity.
 IntensityRange robust_range(const ScalarImage& image, const LabelImage& mask, double low_percentile,
                             double high_percentile);
+
+/// A value that fills the voxels beyond the field of view, as scanners and programs leave it in CT
+/// (-2000, -3024): no intensity of what was imaged.
+struct Padding {
+  double value = 0.;
+  double air = 0.;   ///< what replaced it: the median of the other voxels labelled air
+  double share = 0.; ///< of the voxels labelled air
+};
+
+/// Replaces such a value, if there is one, where `labels` are 0. It is the smallest or largest of
+/// those voxels, is further from all others than the air is from the body, and the others are
+/// uniform and darker than the body.
+std::optional<Padding> replace_padding(ScalarImage& image, const LabelImage& labels);
 
 /// The range to which rescale() clamps.
 inline constexpr IntensityRange rescaled_range{-0.5, 1.5};

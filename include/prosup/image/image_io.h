@@ -18,7 +18,7 @@ namespace prosup::image {
 /// by more than a tenth of a voxel somewhere in the image.
 enum class NiftiTransform { must_agree, sform, qform };
 
-/// Reads a three-dimensional image of any scalar pixel type.
+/// Reads a 3D image of any scalar type; its axes become left-right, front-back, down-up.
 /// @throws Error if the file is missing or damaged or has another format, if the image is not
 /// three-dimensional or not scalar, if a spacing is not positive or the axes are not at right
 /// angles, or if a value is not finite.
