@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -119,6 +120,27 @@ LabelImage fit_labels(LabelImage labels, const ScalarImage& image, const std::st
                      labels_name.c_str(), image_name.c_str(),
                      difference(labels.grid, grid, same_size).c_str(), lost.c_str()));
   return nearest_labels(labels, grid);
+}
+
+void require_regions(const LabelImage& labels, const std::string& file) {
+  constexpr std::size_t few_values = 12; // can be labels, whatever they look like
+  constexpr double least_alike = 0.6;    // of neighbours; even thin regions have more
+  std::array<bool, 256> occurs{};
+  std::size_t n_pairs = 0, n_alike = 0;
+  const std::size_t row = labels.grid.size[0];
+  for (std::size_t v = 0; v < labels.values.size(); ++v) {
+    const std::uint8_t value = labels.values[v];
+    occurs[value] = true;
+    if (v % row != 0 && (value != 0 || labels.values[v - 1] != 0)) {
+      ++n_pairs;
+      n_alike += value == labels.values[v - 1];
+    }
+  }
+  const auto n_values = std::size_t(std::count(occurs.begin(), occurs.end(), true));
+  if (n_values > few_values && double(n_alike) < least_alike * double(n_pairs))
+    throw Error(format("'%s' is no label image: it holds %zu different values, and only %.0f %% of "
+                       "neighbouring voxels have the same one; give the mask, not the image.",
+                       file.c_str(), n_values, 100. * double(n_alike) / double(n_pairs)));
 }
 
 void require_label(const LabelImage& labels, unsigned label, const std::string& what,

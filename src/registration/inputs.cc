@@ -133,6 +133,7 @@ LabelImage InputReader::checked_labels(const CaseFiles& files, Position position
     throw Error("The label image '" + file +
                 "' is empty: all its voxels are 0; it has to mark the "
                 "chest wall, fat and gland.");
+  image::require_regions(labels, file);
   image::require_label(labels, labels_.chest, "the chest wall ('Labels/Chest')", file);
   const LabelImage tissue = image::select_labels(labels, labels_.tissues);
   if (std::none_of(tissue.values.begin(), tissue.values.end(), [](auto v) { return v != 0; }))

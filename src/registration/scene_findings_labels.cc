@@ -13,7 +13,7 @@ constexpr double least_ml = 30., most_ml = 5000.; // of a breast
 constexpr double beyond_doubt = 4.;               // factor beyond which it is no breast at all
 constexpr double least_skin = 0.15, doubtful_skin = 0.3; // of skin and base
 constexpr double least_agreement = 0.3;
-constexpr double least_covered = 0.3, doubtful_covered = 0.75;
+constexpr double least_covered = 0.3, doubtful_covered = 0.7;
 constexpr double least_solid = 0.6, most_solid = 1.6;
 constexpr double least_part = 0.3, doubtful_part = 0.9;
 constexpr double most_gland_skin = 0.6, doubtful_gland_skin = 0.35;

@@ -16,7 +16,7 @@ namespace {
 // Limits: see the tables in docs/checks.md.
 constexpr double least_facing = 0.3, doubtful_facing = 0.85;
 constexpr double least_view = 0.3, doubtful_view = 0.6;
-constexpr double most_apart = 15., doubtful_median = 3., doubtful_p90 = 8.; // mm
+constexpr double most_apart = 15., doubtful_median = 2.5, doubtful_p90 = 6.; // mm
 constexpr double wrong_gravity = -0.3, doubtful_gravity = 0.5;
 constexpr double most_parallel = 45., opposite = 90.; // degrees between the two gravities
 constexpr double same_reach = 1.15; // factor within which two images are of the same position
@@ -24,7 +24,8 @@ constexpr double least_reach = 0.9, doubtful_reach = 1.1;
 constexpr double least_volume = 0.8, most_volume = 1.25;
 constexpr double two_breasts = 1.5, other_volume = 2.5;
 constexpr double least_gland = 0.7, most_gland = 1.4;
-constexpr double clearly_better = 0.04;
+constexpr double clearly_better = 0.02; // sum of two correlations
+constexpr double veto = 1.05;           // factor of two informations
 
 using Maybe = std::optional<Finding>;
 
@@ -118,25 +119,26 @@ Maybe other_gland(const PerPosition<BreastMeasures>& breasts, const PairMeasures
                         breasts.prone.gland_ml, breasts.supine.gland_ml));
 }
 
+/// Whether the supine breast fits better if it is turned over. The chest wall has a veto, since it
+/// neither deforms nor moves.
 Maybe mirrored(const PairMeasures& pair) {
-  const auto& [tissue, gland] = std::tie(pair.fit.tissue, pair.fit.gland);
-  struct Turn {
-    double gain;
+  struct Way {
+    double Turned::*way;
     const char* name;
   };
-  const double as_is = tissue.as_is + gland.as_is;
-  const Turn turns[] = {{tissue.left_right + gland.left_right - as_is, "mirrored left to right"},
-                        {tissue.head_foot + gland.head_foot - as_is, "mirrored head to foot"},
-                        {tissue.turned + gland.turned - as_is, "turned by 180 degrees"}};
-  const Turn& best =
-      *std::max_element(std::begin(turns), std::end(turns),
-                        [](const Turn& a, const Turn& b) { return a.gain < b.gain; });
-  if (best.gain < clearly_better)
+  const auto fit = [&](double Turned::*way) { return pair.fit.tissue.*way + pair.fit.gland.*way; };
+  Way best{&Turned::left_right, "mirrored left to right"};
+  for (const Way& other : {Way{&Turned::head_foot, "mirrored head to foot"},
+                           Way{&Turned::half_turn, "turned by 180 degrees"}})
+    if (fit(other.way) > fit(best.way))
+      best = other;
+  const double as_is = fit(&Turned::as_is), turned = fit(best.way);
+  if (turned - as_is < clearly_better || pair.information.as_is > veto * pair.information.*best.way)
     return {};
   return warning(format("Seen from the front, the supine breast fits the prone one better %s (the "
                         "correlations of tissue and gland sum to %.2f instead of %.2f); check that "
                         "both are the same side, and the orientations in the headers.",
-                        best.name, as_is + best.gain, as_is));
+                        best.name, turned, as_is));
 }
 
 } // namespace

@@ -86,7 +86,7 @@ double best_correlation(const Picture& a, const Picture& b, std::array<bool, 2> 
   return best;
 }
 
-ViewFit::Correlations correlations(const Picture& a, const Picture& b) {
+Turned correlations(const Picture& a, const Picture& b) {
   return {best_correlation(a, b, {false, false}), best_correlation(a, b, {true, false}),
           best_correlation(a, b, {false, true}), best_correlation(a, b, {true, true})};
 }
@@ -97,13 +97,9 @@ ViewFit fit_of(const FrontView& a, const FrontView& b) {
   const auto tissue = [](const FrontView& view) {
     return [&view](std::size_t p) { return view.tissue[p] > 0.; };
   };
-  const auto base = [](const FrontView& view) {
-    return [&view](std::size_t p) { return view.n_base[p] > 0.; };
-  };
   ViewFit fit;
   fit.tissue = correlations({a, a.tissue, tissue(a)}, {b, b.tissue, tissue(b)});
   fit.gland = correlations({a, a.gland, tissue(a)}, {b, b.gland, tissue(b)});
-  fit.height = correlations({a, a.height, base(a)}, {b, b.height, base(b)});
   return fit;
 }
 

@@ -60,8 +60,6 @@ FrontView front_view(const BreastMeasures& breast, const Labels& meaning, const 
   view.tissue.assign(n, 0.);
   view.gland.assign(n, 0.);
   view.chest.assign(n, false);
-  view.height.assign(n, 0.);
-  view.n_base.assign(n, 0.);
   const auto pixel = [&](const Point<3>& x) {
     const int i = int((x * axes.left - frame.low[0]) / edge);
     const int j = int((x * axes.up - frame.low[1]) / edge);
@@ -85,14 +83,6 @@ FrontView front_view(const BreastMeasures& breast, const Labels& meaning, const 
         if (label == meaning.gland)
           view.gland[p] += thickness;
       }
-  for (const Point<3>& x : breast.base) {
-    const std::size_t p = pixel(x);
-    view.height[p] += x * front;
-    view.n_base[p] += 1.;
-  }
-  for (std::size_t p = 0; p < n; ++p)
-    if (view.n_base[p] > 0.)
-      view.height[p] /= view.n_base[p];
   return view;
 }
 

@@ -15,8 +15,6 @@ struct FrontView {
   std::vector<double> tissue; ///< thickness, mm
   std::vector<double> gland;  ///< thickness, mm
   std::vector<bool> chest;    ///< some chest lies in this line
-  std::vector<double> height; ///< mean of the base along `front`, mm
-  std::vector<double> n_base; ///< points of the base
 
   std::size_t n_pixels() const { return tissue.size(); }
 };
@@ -28,12 +26,14 @@ FrontView front_view(const BreastMeasures& breast, const Labels& meaning,
 /// Share of the shadow of the tissue that has chest behind it; 0 if the front is not known.
 double share_with_chest_behind(const BreastMeasures& breast, const Labels& meaning);
 
-/// How well two views agree, and how well if the second one is turned over.
+/// A measure of two breasts, and of the same ones if the second is turned over.
+struct Turned {
+  double as_is = 0., left_right = 0., head_foot = 0., half_turn = 0.;
+};
+
+/// Correlations of two views; shifts between them do not matter.
 struct ViewFit {
-  /// Correlations for the second view as it is, mirrored left to right, head to foot, and turned.
-  struct Correlations {
-    double as_is = 0., left_right = 0., head_foot = 0., turned = 0.;
-  } tissue, gland, height;
+  Turned tissue, gland;
 };
 
 ViewFit fit_of(const FrontView& a, const FrontView& b);

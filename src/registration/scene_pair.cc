@@ -27,11 +27,7 @@ std::vector<double> distances(const BreastMeasures& points, const BreastMeasures
   const image::VoxelGrid& grid = chest.chest_distance.grid;
   const image::BasicSampler<double> distance(chest.chest_distance);
   for (const Point<3>& x : points.base) {
-    const Point<3> index = grid.continuous_index(x);
-    bool inside = true;
-    for (unsigned d = 0; d < 3; ++d)
-      inside = inside && index[d] >= 0. && index[d] <= double(grid.size[d] - 1);
-    if (inside)
+    if (lies_within(grid, x))
       found.push_back(std::abs(distance.value(x)));
   }
   return found;
@@ -94,9 +90,10 @@ std::vector<double> histogram(const ScalarImage& image, const image::LabelImage&
 void compare_intensities(const PerPosition<BreastMeasures>& breasts, const Inputs& inputs,
                          const Labels& meaning, double edge, PairMeasures& result) {
   PerPosition<std::vector<double>> bins;
+  PerPosition<ScalarImage> images;
   for (const Position position : both_positions) {
     const image::LabelImage& labels = breasts[position].labels;
-    const ScalarImage image = thinned(inputs.images[position], edge);
+    const ScalarImage& image = images[position] = thinned(inputs.images[position], edge);
     result.contrast[position] = contrast_of(image, labels, meaning);
     bins[position] = histogram(image, labels, meaning);
     const OriginalImage& original = inputs.originals[position];
@@ -107,6 +104,7 @@ void compare_intensities(const PerPosition<BreastMeasures>& breasts, const Input
         values.insert(original.image.values[v]);
     result.n_values[position] = values.size();
   }
+  result.information = chest_information(breasts, images);
   result.common_histogram = 0.;
   for (std::size_t b = 0; b < bins.prone.size(); ++b)
     result.common_histogram += std::min(bins.prone[b], bins.supine[b]);
@@ -128,6 +126,14 @@ double width(const BreastMeasures& breast, const Labels& meaning) {
 }
 
 } // namespace
+
+bool lies_within(const image::VoxelGrid& grid, const Point<3>& x) {
+  const Point<3> index = grid.continuous_index(x);
+  for (unsigned d = 0; d < 3; ++d)
+    if (!(index[d] >= 0. && index[d] <= double(grid.size[d]) - 1.))
+      return false;
+  return true;
+}
 
 PairMeasures compare(const PerPosition<BreastMeasures>& breasts, const Inputs& inputs,
                      const PerPosition<Tensor<1, 3>>& gravity, const Labels& meaning, double edge) {

@@ -26,11 +26,19 @@ struct PairMeasures {
   double volume_ratio = 0., gland_ratio = 0., width_ratio = 0.; ///< prone to supine
   std::optional<double> reach_ratio;
   ViewFit fit;
+  Turned information; ///< mutual, of the intensities in the chest wall, nats
   PerPosition<std::optional<TissueContrast>> contrast;
   double common_histogram = 1.; ///< share of the intensities that both breasts have
   bool same_image = false, same_labels = false;
   PerPosition<std::size_t> n_values; ///< different intensities in the tissue, counted up to a few
 };
+
+/// Whether the centres of the voxels of a grid surround a point.
+bool lies_within(const image::VoxelGrid& grid, const dealii::Point<3>& x);
+
+/// The mutual information of two thinned images in the chest wall, which does not deform.
+Turned chest_information(const PerPosition<BreastMeasures>& breasts,
+                         const PerPosition<image::ScalarImage>& images);
 
 PairMeasures compare(const PerPosition<BreastMeasures>& breasts, const Inputs& inputs,
                      const PerPosition<dealii::Tensor<1, 3>>& gravity, const Labels& meaning,

@@ -11,9 +11,9 @@ std::string row(const char* name, double prone, double supine, const char* unit)
   return format("  %-44s %9.2f %9.2f  %s\n", name, prone, supine, unit);
 }
 
-std::string fits(const char* name, const ViewFit::Correlations& fit) {
+std::string fits(const char* name, const Turned& fit) {
   return format("  %-24s %9.2f %9.2f %9.2f %9.2f\n", name, fit.as_is, fit.left_right, fit.head_foot,
-                fit.turned);
+                fit.half_turn);
 }
 
 } // namespace
@@ -70,10 +70,11 @@ std::string table_of(const PairMeasures& pair) {
   single("intensities that both have", pair.common_histogram, "");
   single("same image", pair.same_image, "");
   single("same labels", pair.same_labels, "");
-  text += format("  %-24s %9s %9s %9s %9s\n", "fit of front views", "as it is", "mirrored",
-                 "up-down", "turned");
-  text += fits("tissue", pair.fit.tissue) + fits("gland", pair.fit.gland) +
-          fits("chest", pair.fit.height);
+  text += format("  %-24s %9s %9s %9s %9s\n", "supine to prone", "as it is", "mirrored", "up-down",
+                 "turned");
+  text += fits("tissue, correlation", pair.fit.tissue) +
+          fits("gland, correlation", pair.fit.gland) +
+          fits("chest wall, information", pair.information);
   return text;
 }
 

@@ -58,6 +58,10 @@ void write_displacement(const VectorImage& field, const std::filesystem::path& f
 LabelImage fit_labels(LabelImage labels, const ScalarImage& image, const std::string& labels_name,
                       const std::string& image_name, Remarks& remarks);
 
+/// Checks that the values mark regions, however many, instead of being intensities.
+/// @throws Error that names the file.
+void require_regions(const LabelImage& labels, const std::string& file);
+
 /// Checks that at least one voxel has `label`, which means `what`.
 /// @throws Error that names the file and the labels that it has.
 void require_label(const LabelImage& labels, unsigned label, const std::string& what,
