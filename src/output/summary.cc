@@ -1,5 +1,6 @@
 #include "prosup/output/summary.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -53,6 +54,16 @@ void set(Json& json, const char* name, const std::optional<AlignmentSummary>& al
                                         {"after", (*alignment->information)[1]}};
 }
 
+Json as_json(const QualitySummary& quality) {
+  Json json{{"verdict", quality.verdict}, {"reasons", quality.reasons}};
+  for (const auto& [name, value] : quality.figures) {
+    std::string path = "/" + name;
+    std::replace(path.begin(), path.end(), '.', '/');
+    json[Json::json_pointer(path)] = value;
+  }
+  return json;
+}
+
 Json as_json(const SimilarityEntry& entry) {
   return {{"stage", entry.stage},
           {"level_mm", entry.level_mm},
@@ -66,6 +77,8 @@ Json as_json(const Summary& summary) {
   json["command"] = summary.command;
   json["ranks"] = summary.ranks;
   json["converged"] = summary.converged;
+  if (summary.quality)
+    json["quality"] = as_json(*summary.quality);
   for (const Position position : both_positions)
     set_breast(json, name_of(position), summary.breasts[position]);
   set(json, "alignment", summary.alignment);
@@ -140,6 +153,15 @@ std::string error_table(const Summary& summary) {
   add(step::material, summary.tre.material);
   add(step::image_forces, summary.tre.image_forces);
   return rows.empty() ? std::string() : evaluation::error_table(rows);
+}
+
+std::string verdict_text(const Summary& summary) {
+  if (!summary.quality)
+    return {};
+  std::string text = "Verdict: " + summary.quality->verdict + "\n";
+  for (const std::string& reason : summary.quality->reasons)
+    text += "  - " + reason + "\n";
+  return text;
 }
 
 } // namespace prosup::output

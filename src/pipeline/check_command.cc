@@ -5,7 +5,7 @@
 namespace prosup::pipeline {
 
 bool run_check(const AllParameters& parameters, const dealii::ParameterHandler&,
-               const std::filesystem::path&, MPI_Comm world) {
+               const ResultTarget&, MPI_Comm world) {
   const Log log(world);
   on_root(world, [&] { parameters.case_files.require_pair(); });
   registration::Registration registration(parameters.registration, world);

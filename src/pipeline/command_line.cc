@@ -19,7 +19,7 @@ namespace prosup::pipeline {
 
 namespace {
 
-constexpr int success = 0, failure = 1, not_settled = 2;
+constexpr int success = static_cast<int>(Outcome::success), failure = 1;
 
 /// All parameters with their defaults.
 void declare_defaults(dealii::ParameterHandler& defaults) {
@@ -113,7 +113,7 @@ int run_command_line(int argc, char** argv, MPI_Comm world) {
   try {
     for (const Command& command : commands)
       if (app.got_subcommand(command.name))
-        return command.run(request, world) ? success : not_settled;
+        return static_cast<int>(command.run(request, world));
     return failure;
   } catch (const Error& error) {
     return report(error.what(), world);

@@ -15,10 +15,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What a command with a parameter file does; see commands.h.
-using CommandFunction = bool (*)(const AllParameters&, const dealii::ParameterHandler&,
-                                 const ResultTarget&, MPI_Comm);
-
 /// Gives the parameters their values. True if there is work to do.
 bool prepare(const ParameterOptions& options, AllParameters& parameters,
              dealii::ParameterHandler& handler, MPI_Comm world) {
@@ -43,13 +39,16 @@ bool prepare(const ParameterOptions& options, AllParameters& parameters,
   return false;
 }
 
-/// @returns whether all simulations settled.
-bool run_with_parameters(CommandFunction run, const ParameterOptions& options, MPI_Comm world) {
+/// `run` is a command of commands.h with a parameter file.
+template <typename Run>
+Outcome run_with_parameters(Run run, const ParameterOptions& options, MPI_Comm world) {
   AllParameters parameters;
   dealii::ParameterHandler handler;
-  return !prepare(options, parameters, handler, world) ||
-         run(parameters, handler,
-             {options.output, options.overwrite, files_read(parameters, options.file)}, world);
+  if (!prepare(options, parameters, handler, world))
+    return Outcome::success;
+  const ResultTarget target{options.output, options.overwrite,
+                            files_read(parameters, options.file)};
+  return outcome_of(run(parameters, handler, target, world));
 }
 
 void add_map_options(CLI::App& command, MapRequest& request) {
@@ -89,8 +88,9 @@ void add_landmark_options(CLI::App& command, LandmarkRequest& request) {
 }
 
 /// A command with a parameter file, and the options that it takes besides the common ones.
-Command with_parameters(const char* name, const char* text, const OptionNames& options,
-                        CommandFunction run, bool writes_results = true) {
+template <typename Run>
+Command with_parameters(const char* name, const char* text, const OptionNames& options, Run run,
+                        bool writes_results = true) {
   return {name, text,
           [options, writes_results](CLI::App& app, const dealii::ParameterHandler& defaults,
                                     Request& request) {
@@ -140,7 +140,7 @@ std::vector<Command> all_commands() {
            [](CLI::App& app, const auto&, Request& request) { add_map_options(app, request.map); },
            [](const Request& request, MPI_Comm world) {
              on_root(world, [&] { run_map(request.map); });
-             return true;
+             return Outcome::success;
            }},
           {"landmarks", "Errors at the landmarks of several observers",
            [](CLI::App& app, const auto&, Request& request) {
@@ -148,7 +148,7 @@ std::vector<Command> all_commands() {
            },
            [](const Request& request, MPI_Comm world) {
              on_root(world, [&] { run_landmarks(request.landmarks); });
-             return true;
+             return Outcome::success;
            }}};
 }
 

@@ -23,8 +23,7 @@ struct Request {
 struct Command {
   const char *name, *text;
   std::function<void(CLI::App&, const dealii::ParameterHandler& defaults, Request&)> add_options;
-  /// Returns whether all simulations settled.
-  std::function<bool(const Request&, MPI_Comm)> run;
+  std::function<Outcome(const Request&, MPI_Comm)> run;
 };
 
 std::vector<Command> all_commands();

@@ -7,6 +7,7 @@
 #include "prosup/evaluation/landmarks.h"
 #include "prosup/image/filters.h"
 #include "prosup/image/image_io.h"
+#include "prosup/pipeline/outcome.h"
 
 namespace prosup::pipeline {
 
@@ -86,8 +87,10 @@ std::string ComparisonRuns::status(const Command& command, const ChildResult& ch
   if (child.exit_code == 0)
     return "ok";
   const bool is_prosup = std::find(command.begin(), command.end(), program_) != command.end();
-  if (is_prosup && child.exit_code == 2)
+  if (is_prosup && child.exit_code == static_cast<int>(Outcome::not_settled))
     return "not settled"; // but there are results
+  if (is_prosup && child.exit_code == static_cast<int>(Outcome::failed))
+    return "verdict: failed"; // the same
   throw Error(reason_of_failure(child, log));
 }
 

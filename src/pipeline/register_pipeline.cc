@@ -1,7 +1,9 @@
 #include "prosup/pipeline/register_pipeline.h"
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/numbers.h>
 
+#include "mesh_figures.h"
 #include "prosup/core/collective.h"
 #include "prosup/output/pictures.h"
 #include "prosup/output/registration_file.h"
@@ -9,6 +11,7 @@
 #include "prosup/pipeline/commands.h"
 #include "prosup/pipeline/descriptions.h"
 #include "prosup/pipeline/result_images.h"
+#include "prosup/registration/verdict.h"
 
 namespace prosup::pipeline {
 
@@ -66,7 +69,7 @@ RegisterPipeline::RegisterPipeline(const CaseParameters& case_files,
       [this](const registration::SimilarityRecord& record) { observe(record); });
 }
 
-bool RegisterPipeline::run() {
+Outcome RegisterPipeline::run() {
   run_.stage(stage::read, [&] { read(); });
   if (aligns_)
     run_.stage(stage::align, [&] { align(); });
@@ -81,7 +84,9 @@ bool RegisterPipeline::run() {
   time.unloading = run_.seconds(stage::unloading);
   time.material = run_.seconds(stage::material);
   time.image_forces = run_.seconds(stage::image_forces);
-  return run_.finish(output::error_table(run_.summary()));
+  const std::string errors = output::error_table(run_.summary());
+  run_.finish(errors + (errors.empty() ? "" : "\n") + output::verdict_text(run_.summary()));
+  return dealii::Utilities::MPI::broadcast(registration_.ranks().world(), outcome_);
 }
 
 void RegisterPipeline::read() {
@@ -115,17 +120,22 @@ void RegisterPipeline::unload() {
     note(results[position].n_steps);
     run_.log().line(describe(name_of(position), results[position]));
   }
+  quality_.unloaded = registration_.agreement();
   evaluate(run_.summary().tre.unloaded);
 }
 
 void RegisterPipeline::match_properties() {
-  note(registration_.match_properties().n_steps);
+  const registration::MaterialUpdateResult found = registration_.match_properties();
+  note(found.n_steps);
+  quality_.at_bound = found.at_bound;
   note_properties();
+  quality_.material = registration_.agreement();
   evaluate(run_.summary().tre.material);
 }
 
 void RegisterPipeline::match_images() {
   note(registration_.match_images().n_steps);
+  quality_.image_forces = registration_.agreement();
   evaluate(run_.summary().tre.image_forces);
 }
 
@@ -168,6 +178,19 @@ void RegisterPipeline::evaluate(std::optional<evaluation::ErrorStatistics>& erro
   on_root(registration_.ranks().world(), [&] { error = landmarks_.evaluate(found_.meshes); });
 }
 
+void RegisterPipeline::judge() {
+  output::Summary& summary = run_.summary();
+  quality_.converged = found_.converged;
+  quality_.properties = found_.properties;
+  quality_.chest = registration::measure_chest_misfit(registration_.inputs().scene);
+  quality_.same_contrast = registration_.compares_same_contrast();
+  summary.inverse_consistency = measure_meshes(found_, case_files_.files().gravity,
+                                               registration_.inputs().alignment, quality_);
+  const registration::Verdict verdict = registration::judge(quality_);
+  outcome_ = verdict.grade == registration::Grade::failed ? Outcome::failed : Outcome::success;
+  summary.quality = {name_of(verdict.grade), verdict.reasons, registration::figures_of(quality_)};
+}
+
 void RegisterPipeline::write_on_root() {
   const std::filesystem::path& folder = run_.folder();
   output::Summary& summary = run_.summary();
@@ -176,11 +199,7 @@ void RegisterPipeline::write_on_root() {
     output::write_mesh(found_.meshes[position], folder, name_of(position));
   }
   output::write_registration(found_.meshes, named(found_.properties), folder);
-  summary.inverse_consistency = evaluation::inverse_consistency(
-      found_.meshes.prone.mesh.points, evaluation::PointMapper(found_.meshes.prone),
-      evaluation::PointMapper(found_.meshes.supine));
-  if (!found_.converged)
-    run_.remarks().add("A simulation did not settle within 'Unloading/Maximum steps'.");
+  judge();
   landmarks_.write(folder / "landmarks.csv");
   output::write_convergence(convergence_, folder / "convergence.csv");
   if (results_.pictures)
@@ -203,8 +222,8 @@ void RegisterPipeline::write() {
     });
 }
 
-bool run_register(const AllParameters& parameters, const ParameterHandler& all,
-                  const ResultTarget& output, MPI_Comm world) {
+Outcome run_register(const AllParameters& parameters, const ParameterHandler& all,
+                     const ResultTarget& output, MPI_Comm world) {
   return RegisterPipeline(parameters.case_files, parameters.registration, parameters.results, all,
                           output, world)
       .run();

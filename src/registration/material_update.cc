@@ -92,6 +92,7 @@ MaterialUpdateResult MaterialUpdate::run(BreastPair& pair, const ComparedImages&
     PropertyTrials trials = trials_on(level);
     search_properties(properties_, trials, max_steps_, least_gain_, level == levels_.back());
   }
+  result.at_bound = properties_at_bound(properties_, pair.properties(), pair.has_gland());
   return result;
 }
 

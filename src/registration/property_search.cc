@@ -43,6 +43,21 @@ const std::vector<SearchedProperty>& searched_properties() {
   return all;
 }
 
+/// Those of `names` that the breasts have.
+std::vector<const SearchedProperty*> chosen_of(const std::vector<std::string>& names,
+                                               const MechanicalProperties& properties,
+                                               bool has_gland) {
+  std::vector<const SearchedProperty*> chosen;
+  for (const SearchedProperty& property : searched_properties()) {
+    const std::string name = property.name;
+    if (std::find(names.begin(), names.end(), name) != names.end() &&
+        (name != "gland ratio" || has_gland) &&
+        (name != "chest stiffness" || properties.chest_stiffness > 0.))
+      chosen.push_back(&property);
+  }
+  return chosen;
+}
+
 constexpr double longest_step = 0.7; // of a logarithm, a factor of two
 
 /// Steps of one search.
@@ -163,14 +178,7 @@ const std::vector<std::string>& property_names() {
 
 void search_properties(const std::vector<std::string>& names, PropertyTrials& trials,
                        unsigned max_steps, double least_gain, bool to_the_end) {
-  std::vector<const SearchedProperty*> chosen;
-  for (const SearchedProperty& property : searched_properties()) {
-    const std::string name = property.name;
-    if (std::find(names.begin(), names.end(), name) != names.end() &&
-        (name != "gland ratio" || trials.has_gland()) &&
-        (name != "chest stiffness" || trials.best().chest_stiffness > 0.))
-      chosen.push_back(&property);
-  }
+  const auto chosen = chosen_of(names, trials.best(), trials.has_gland());
   if (chosen.empty())
     return;
   Search search(chosen, trials);
@@ -199,6 +207,19 @@ void search_properties(const std::vector<std::string>& names, PropertyTrials& tr
       break;
     search.linearize();
   }
+}
+
+std::vector<std::string> properties_at_bound(const std::vector<std::string>& names,
+                                             const MechanicalProperties& properties,
+                                             bool has_gland) {
+  constexpr double near = 1e-3; // of a logarithm
+  std::vector<std::string> found;
+  for (const SearchedProperty* property : chosen_of(names, properties, has_gland)) {
+    const double q = property->get(properties);
+    if (std::min(std::abs(q - property->low), std::abs(q - property->high)) < near)
+      found.emplace_back(property->name);
+  }
+  return found;
 }
 
 } // namespace prosup::registration

@@ -18,6 +18,11 @@ const std::vector<std::string>& property_names();
 void search_properties(const std::vector<std::string>& names, PropertyTrials& trials,
                        unsigned max_steps, double least_gain, bool to_the_end);
 
+/// Names of the searched properties that are at an end of their range.
+std::vector<std::string> properties_at_bound(const std::vector<std::string>& names,
+                                             const MechanicalProperties& properties,
+                                             bool has_gland);
+
 } // namespace prosup::registration
 
 #endif

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "prosup/core/position.h"
@@ -44,6 +45,14 @@ struct AlignmentSummary {
   std::optional<std::array<double, 2>> information; ///< mutual, before and after, nats
 };
 
+/// How far a registration can be trusted.
+struct QualitySummary {
+  std::string verdict;              ///< good, doubtful or failed
+  std::vector<std::string> reasons; ///< why it is not good, one sentence each
+  /// Numbers by their names; a dot in a name makes a group.
+  std::vector<std::pair<std::string, double>> figures;
+};
+
 /// The contents of `summary.json`. Entries that are not set are left out.
 struct Summary {
   std::string command;
@@ -71,6 +80,7 @@ struct Summary {
     double total = 0.;
   } time;
 
+  std::optional<QualitySummary> quality;
   double peak_memory = 0.; ///< MiB
   bool converged = false;
   std::vector<std::string> warnings;
@@ -83,6 +93,9 @@ void write_summary(const Summary& summary, const std::filesystem::path& file);
 
 /// The table of registration errors, one row per step; empty without landmarks.
 std::string error_table(const Summary& summary);
+
+/// The verdict and its reasons, one line each; empty if there is none.
+std::string verdict_text(const Summary& summary);
 
 } // namespace prosup::output
 

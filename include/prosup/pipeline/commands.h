@@ -10,6 +10,7 @@
 
 #include "prosup/core/result_folder.h"
 #include "prosup/pipeline/all_parameters.h"
+#include "prosup/pipeline/outcome.h"
 
 namespace prosup::pipeline {
 
@@ -18,13 +19,13 @@ namespace prosup::pipeline {
 // Collective on `world`.
 
 /// `prosup register`: both images and masks to the registered unloaded pair.
-bool run_register(const AllParameters& parameters, const dealii::ParameterHandler& all,
-                  const ResultTarget& output, MPI_Comm world);
+Outcome run_register(const AllParameters& parameters, const dealii::ParameterHandler& all,
+                     const ResultTarget& output, MPI_Comm world);
 
 /// `prosup check`: what is wrong with the input of run_register(), without any simulation; writes
 /// no files. @returns whether there are no errors.
 bool run_check(const AllParameters& parameters, const dealii::ParameterHandler& all,
-               const std::filesystem::path& output, MPI_Comm world);
+               const ResultTarget& output, MPI_Comm world);
 
 /// `prosup mesh`: the mask of one position to a mesh, with a quality report.
 bool run_mesh(const AllParameters& parameters, const dealii::ParameterHandler& all,

@@ -10,8 +10,10 @@
 #include "prosup/output/convergence.h"
 #include "prosup/pipeline/case_parameters.h"
 #include "prosup/pipeline/landmark_evaluation.h"
+#include "prosup/pipeline/outcome.h"
 #include "prosup/pipeline/result_parameters.h"
 #include "prosup/pipeline/result_run.h"
+#include "prosup/registration/quality.h"
 #include "prosup/registration/registration.h"
 
 namespace prosup::pipeline {
@@ -26,9 +28,9 @@ public:
                    const ResultParameters& results, const dealii::ParameterHandler& all,
                    const ResultTarget& output, MPI_Comm world);
 
-  /// @returns whether all simulations settled. The result folder is written either way, and says
-  /// so. @throws Error if there is no result.
-  bool run();
+  /// @returns whether the verdict on the registration is not that it failed. The result folder is
+  /// written either way, and says so. @throws Error if there is no result.
+  Outcome run();
 
 private:
   void read();
@@ -45,6 +47,7 @@ private:
   void note_properties();
   void observe(const registration::SimilarityRecord& record);
   void write_on_root();
+  void judge();
 
   const CaseParameters& case_files_;
   const registration::SceneCheck& checks_;
@@ -55,6 +58,8 @@ private:
   LandmarkEvaluation landmarks_;
   registration::RegistrationResult found_;
   std::vector<output::ConvergenceEntry> convergence_;
+  registration::Quality quality_;
+  Outcome outcome_ = Outcome::success; // on rank 0
 };
 
 } // namespace prosup::pipeline

@@ -12,9 +12,10 @@
 namespace prosup::registration {
 
 struct MaterialUpdateResult {
-  unsigned n_steps = 0;  ///< time steps of all trials
-  unsigned n_trials = 0; ///< pairs of unloadings
-  bool converged = true; ///< of the accepted state
+  unsigned n_steps = 0;              ///< time steps of all trials
+  unsigned n_trials = 0;             ///< pairs of unloadings
+  bool converged = true;             ///< of the accepted state
+  std::vector<std::string> at_bound; ///< searched properties that ended at the end of their range
 };
 
 /// Finds the mechanical properties with which the unloaded images are most alike, section

@@ -8,6 +8,7 @@
 
 #include "prosup/core/log.h"
 #include "prosup/core/remarks.h"
+#include "prosup/registration/agreement.h"
 #include "prosup/registration/breast_model.h"
 #include "prosup/registration/breast_pair.h"
 #include "prosup/registration/image_force_registration.h"
@@ -69,6 +70,10 @@ public:
   MaterialUpdateResult match_properties();
   /// Pushes the unloaded breasts together with image forces.
   ImageForceResult match_images();
+  /// Whether the images are compared by a metric that needs the same contrast.
+  bool compares_same_contrast() const { return metric_->needs_same_contrast(); }
+  /// How far the unloaded breasts agree as they are now.
+  Agreement agreement() const { return measure_agreement(*pair_, compared()); }
   /// As it is now.
   RegistrationResult result() const;
 

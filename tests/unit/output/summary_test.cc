@@ -20,6 +20,8 @@ Summary complete_summary() {
   s.ranks = 2;
   s.breasts.prone = BreastSummary{100, 30, 0.25, 0.5, 1.5};
   s.breasts.supine = BreastSummary{200, 60, 0.125, 0.75, 2.};
+  s.quality = QualitySummary{
+      "doubtful", {"Look here."}, {{"chest.median", 0.5}, {"chest.p95", 1.5}, {"unloaded.x", 2.}}};
   s.steps = 4000;
   s.similarity = {{"image_forces", 4., 7, 0.5}};
   s.shear_modulus = 325.;
@@ -41,6 +43,19 @@ TEST(Summary, HoldsTheAgreedEntries) {
   "command": "register",
   "ranks": 2,
   "converged": true,
+  "quality": {
+    "verdict": "doubtful",
+    "reasons": [
+      "Look here."
+    ],
+    "chest": {
+      "median": 0.5,
+      "p95": 1.5
+    },
+    "unloaded": {
+      "x": 2.0
+    }
+  },
   "mesh": {
     "prone": {
       "cells": 100,
@@ -103,6 +118,11 @@ TEST(Summary, HoldsTheAgreedEntries) {
   ]
 }
 )");
+}
+
+TEST(Summary, SaysTheVerdictWithItsReasons) {
+  EXPECT_EQ(verdict_text(complete_summary()), "Verdict: doubtful\n  - Look here.\n");
+  EXPECT_EQ(verdict_text(Summary()), "");
 }
 
 TEST(Summary, LeavesOutWhatIsNotKnown) {
