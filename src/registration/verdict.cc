@@ -21,9 +21,9 @@ constexpr Limits chest_median{2., 10.};      // mm
 constexpr Limits not_shared{0.3, 0.7};       // part of the chest or breast that one image lacks
 constexpr Limits outlines{0.03, 0.10};       // 1 - Dice of the breasts at the end
 constexpr Limits found_outlines{0.05, 0.15}; // the same before image forces
-constexpr Limits gland{0.25, 0.5};           // 1 - Dice of the gland at the end
+constexpr Limits gland{0.2, 0.5};            // 1 - Dice of the gland at the end
 constexpr Limits volumes{1.1, 1.3};          // larger breast to smaller one
-constexpr Limits outside{0.01, 0.1};
+constexpr Limits outside{0.002, 0.1};        // part of a breast far out of the other one
 constexpr Limits uncorrelated{0.1, 0.4}; // 1 - correlation, if the metric needs the same contrast
 constexpr Limits largest_jacobian{3., 10.}, smallest_jacobian{1. / 0.2, 1. / 0.05};
 constexpr Limits inverse{1., never};   // mm
