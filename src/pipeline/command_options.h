@@ -21,6 +21,7 @@ struct ParameterOptions {
   std::filesystem::path output = "results";
   bool overwrite = false;          ///< files that prosup did not write
   std::filesystem::path write_prm; ///< empty: run the command
+  bool restart = false;            ///< go on from a checkpoint
   std::vector<Override> overrides; ///< of --set
   std::vector<Override> named;     ///< of options such as --chest; --set comes after them
 };

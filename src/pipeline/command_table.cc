@@ -43,6 +43,7 @@ bool prepare(const ParameterOptions& options, AllParameters& parameters,
 template <typename Run>
 Outcome run_with_parameters(Run run, const ParameterOptions& options, MPI_Comm world) {
   AllParameters parameters;
+  parameters.checkpoint.restart = options.restart;
   dealii::ParameterHandler handler;
   if (!prepare(options, parameters, handler, world))
     return Outcome::success;
@@ -87,16 +88,23 @@ void add_landmark_options(CLI::App& command, LandmarkRequest& request) {
                    "Replace the output even if it is not what this command has written");
 }
 
+/// What a command with a parameter file has options for.
+struct Abilities {
+  bool writes_results = true, can_restart = false;
+};
+
 /// A command with a parameter file, and the options that it takes besides the common ones.
 template <typename Run>
 Command with_parameters(const char* name, const char* text, const OptionNames& options, Run run,
-                        bool writes_results = true) {
+                        Abilities abilities = {}) {
   return {name, text,
-          [options, writes_results](CLI::App& app, const dealii::ParameterHandler& defaults,
-                                    Request& request) {
+          [=](CLI::App& app, const dealii::ParameterHandler& defaults, Request& request) {
             add_parameter_options(app, options, defaults, request.parameters);
-            if (writes_results)
+            if (abilities.writes_results)
               add_output_option(app, request.parameters);
+            if (abilities.can_restart)
+              app.add_flag("--restart", request.parameters.restart,
+                           "Go on from the last checkpoint of a run that was ended");
           },
           [run](const Request& request, MPI_Comm world) {
             return run_with_parameters(run, request.parameters, world);
@@ -120,16 +128,16 @@ std::vector<Command> all_commands() {
   return {with_parameters(
               "register", "Both images and masks to the registered unloaded pair",
               all_of({images, labels, {"--landmarks"}, gravity, simulation, {"--similarity"}}),
-              run_register),
+              run_register, {true, true}),
           with_parameters(
               "check", "What is wrong with the input of register, in seconds",
               all_of({images, labels, {"--landmarks"}, gravity, simulation, {"--similarity"}}),
-              run_check, false),
+              run_check, {false, false}),
           with_parameters("unload", "One mask (and image) to its unloaded configuration",
-                          all_of({one_breast, {"--landmarks"}}), run_unload),
+                          all_of({one_breast, {"--landmarks"}}), run_unload, {true, true}),
           with_parameters("load",
                           "One unloaded mask (and image) or mesh to its loaded configuration",
-                          one_breast, run_load),
+                          one_breast, run_load, {true, true}),
           with_parameters("mesh", "One mask to a mesh, with a quality report",
                           all_of({labels, {"--state"}}), run_mesh),
           with_parameters("phantom", "Images of a numerical phantom, with their truth", gravity,

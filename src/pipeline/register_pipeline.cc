@@ -3,6 +3,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/numbers.h>
 
+#include "checkpoints.h"
 #include "mesh_figures.h"
 #include "prosup/core/collective.h"
 #include "prosup/output/pictures.h"
@@ -12,6 +13,8 @@
 #include "prosup/pipeline/descriptions.h"
 #include "prosup/pipeline/result_images.h"
 #include "prosup/registration/verdict.h"
+#include "run_record.h"
+#include "state_hdf5.h"
 
 namespace prosup::pipeline {
 
@@ -58,8 +61,10 @@ std::map<std::string, double> named(const MechanicalProperties& properties) {
 
 RegisterPipeline::RegisterPipeline(const CaseParameters& case_files,
                                    const registration::RegistrationParameters& parameters,
-                                   const ResultParameters& results, const ParameterHandler& all,
-                                   const ResultTarget& output, MPI_Comm world)
+                                   const ResultParameters& results,
+                                   const CheckpointParameters& checkpoint,
+                                   const ParameterHandler& all, const ResultTarget& output,
+                                   MPI_Comm world)
     : case_files_(case_files), checks_(parameters.checks), results_(results),
       aligns_(parameters.pre_alignment.wanted()), run_("register", all, output, world),
       registration_(parameters, world, run_.log()) {
@@ -67,26 +72,64 @@ RegisterPipeline::RegisterPipeline(const CaseParameters& case_files,
   run_.summary().steps = 0;
   registration_.set_observer(
       [this](const registration::SimilarityRecord& record) { observe(record); });
+  if (registration_.has_state())
+    checkpoints_ =
+        std::make_unique<Checkpoints>("register", checkpoint, all, output.folder, world, run_.log());
+  else if (checkpoint.restart)
+    throw Error("Finite differences leave no checkpoints; run without --restart.");
+  registration_.set_keeper([this] { keep(); });
 }
 
+RegisterPipeline::~RegisterPipeline() = default;
+
 Outcome RegisterPipeline::run() {
+  using registration::Stage;
   run_.stage(stage::read, [&] { read(); });
-  if (aligns_)
+  restart();
+  if (aligns_ && registration_.stage() < Stage::built)
     run_.stage(stage::align, [&] { align(); });
   run_.stage(stage::check, [&] { check(); });
-  run_.stage(stage::mesh, [&] { registration_.build(); });
-  run_.stage(stage::unloading, [&] { unload(); });
-  run_.stage(stage::material, [&] { match_properties(); });
-  run_.stage(stage::image_forces, [&] { match_images(); });
-  run_.stage(stage::write, [&] { write(); });
   auto& time = run_.summary().time;
-  time.mesh = run_.seconds(stage::mesh);
-  time.unloading = run_.seconds(stage::unloading);
-  time.material = run_.seconds(stage::material);
-  time.image_forces = run_.seconds(stage::image_forces);
+  stage(stage::mesh, Stage::built, time.mesh, [&] { registration_.build(); });
+  stage(stage::unloading, Stage::unloaded, time.unloading, [&] { unload(); });
+  stage(stage::material, Stage::properties_matched, time.material, [&] { match_properties(); });
+  stage(stage::image_forces, Stage::images_matched, time.image_forces, [&] { match_images(); });
+  run_.stage(stage::write, [&] { write(); });
   const std::string errors = output::error_table(run_.summary());
   run_.finish(errors + (errors.empty() ? "" : "\n") + output::verdict_text(run_.summary()));
+  if (checkpoints_)
+    checkpoints_->remove();
   return dealii::Utilities::MPI::broadcast(registration_.ranks().world(), outcome_);
+}
+
+void RegisterPipeline::stage(const char* name, registration::Stage done,
+                             std::optional<double>& seconds, const std::function<void()>& work) {
+  if (registration_.stage() >= done)
+    return;
+  run_.stage(name, work);
+  seconds = seconds.value_or(0.) + run_.seconds(name);
+  keep();
+}
+
+void RegisterPipeline::restart() {
+  const auto checkpoint = checkpoints_ ? checkpoints_->restart() : nullptr;
+  if (!checkpoint)
+    return;
+  registration_.resume(read_registration_state(*checkpoint));
+  set_record(checkpoint->text("record"), run_.summary(), quality_, convergence_);
+  note_properties();
+  std::optional<evaluation::ErrorStatistics> known;
+  evaluate(known);
+}
+
+void RegisterPipeline::keep() {
+  if (checkpoints_)
+    checkpoints_->keep([this](output::Hdf5Writer& file) {
+      const MPI_Comm world = registration_.ranks().world();
+      write_state(file, registration_.state(), world);
+      file.text("record", Utilities::MPI::broadcast(
+                              world, record_of(run_.summary(), quality_, convergence_)));
+    });
 }
 
 void RegisterPipeline::read() {
@@ -200,6 +243,8 @@ void RegisterPipeline::write_on_root() {
   }
   output::write_registration(found_.meshes, named(found_.properties), folder);
   judge();
+  if (checkpoints_ && !checkpoints_->warning().empty())
+    run_.remarks().add(checkpoints_->warning());
   landmarks_.write(folder / "landmarks.csv");
   output::write_convergence(convergence_, folder / "convergence.csv");
   if (results_.pictures)
@@ -224,8 +269,8 @@ void RegisterPipeline::write() {
 
 Outcome run_register(const AllParameters& parameters, const ParameterHandler& all,
                      const ResultTarget& output, MPI_Comm world) {
-  return RegisterPipeline(parameters.case_files, parameters.registration, parameters.results, all,
-                          output, world)
+  return RegisterPipeline(parameters.case_files, parameters.registration, parameters.results,
+                          parameters.checkpoint, all, output, world)
       .run();
 }
 

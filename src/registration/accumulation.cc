@@ -107,10 +107,15 @@ private:
 
 void ImageForceRegistration::accumulate(BreastPair& pair, const ComparedImages& images,
                                         const Log& log, const Observer& observer,
-                                        ImageForceResult& result) const {
-  double weight = accumulated_.first_weight * pair.properties().tissue.shear_modulus;
-  for (const double level : levels_)
-    weight = Accumulation(*this, pair, images, level, log, observer).run(weight, result);
+                                        ImageForceProgress& progress, const Keeper& keep) const {
+  if (progress.level == 0)
+    progress.weight = accumulated_.first_weight * pair.properties().tissue.shear_modulus;
+  while (progress.level < levels_.size()) {
+    progress.weight = Accumulation(*this, pair, images, levels_[progress.level], log, observer)
+                          .run(progress.weight, progress.result);
+    ++progress.level;
+    keep();
+  }
 }
 
 } // namespace prosup::registration

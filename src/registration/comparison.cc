@@ -32,7 +32,8 @@ ScalarImage tissue_image(const image::LabelImage& labels, unsigned gland_label) 
   return tissue;
 }
 
-SimilarityDomain domain_of(const BreastPair& pair, const ComparedImages& compared, double level) {
+SimilarityDomain domain_of(const BreastPair& pair, const ComparedImages& compared, double level,
+                           const image::VoxelGrid& given) {
   similarity::Box box;
   bool all_voxels_sampled = true;
   pair.for_each([&](Position, Breast& breast) {
@@ -41,7 +42,9 @@ SimilarityDomain domain_of(const BreastPair& pair, const ComparedImages& compare
   });
   const double margin = all_voxels_sampled ? 1. : compared.margin;
   const image::VoxelGrid grid =
-      similarity::common_grid(box, level, margin * level, pair.ranks().world());
+      given.n_voxels() > 0
+          ? given
+          : similarity::common_grid(box, level, margin * level, pair.ranks().world());
   if (all_voxels_sampled) {
     SimilarityDomain domain;
     domain.grid = grid;
@@ -53,8 +56,8 @@ SimilarityDomain domain_of(const BreastPair& pair, const ComparedImages& compare
 } // namespace
 
 Comparison::Comparison(const BreastPair& pair, const ComparedImages& compared, Compared by,
-                       double level)
-    : pair_(pair), level_(level), domain_(domain_of(pair, compared, level)) {
+                       double level, const image::VoxelGrid& grid)
+    : pair_(pair), level_(level), domain_(domain_of(pair, compared, level, grid)) {
   const bool by_images = by == Compared::images;
   metric_ =
       by_images ? compared.metric : std::make_shared<const similarity::SumOfSquaredDifferences>();

@@ -12,56 +12,84 @@ namespace prosup::registration {
 class ImageForceRegistration::Descent {
 public:
   Descent(const ImageForceRegistration& parameters, BreastPair& pair, const Log& log,
-          const Observer& observer)
-      : parameters_(parameters), pair_(pair), log_(log), observer_(observer),
-        energy_(pair, {parameters.smallest_jacobian_, parameters.largest_jacobian_}) {}
+          const Observer& observer, ImageForceProgress& progress, const Keeper& keep)
+      : parameters_(parameters), pair_(pair), log_(log), observer_(observer), progress_(progress),
+        keep_(keep),
+        energy_(pair, {parameters.smallest_jacobian_, parameters.largest_jacobian_},
+                progress.start) {
+    progress_.start = energy_.start();
+  }
 
-  /// Updates on one level until nothing more is gained; the pair has the last good
+  /// Updates on the present level until nothing more is gained; the pair has the last good
   /// state.
-  unsigned run(const ComparedImages& images, double level) {
-    const Comparison comparison(pair_, images, Compared::images, level);
+  void run(const ComparedImages& images) {
+    const double level = parameters_.levels_[progress_.level];
+    const Comparison comparison(pair_, images, Compared::images, level, progress_.grid);
     energy_.compare_by(comparison);
     scheme_ = make_descent_scheme(parameters_.scheme_, energy_);
-    length_ = 1.;
-    PairVectors present;
-    pair_.for_each([&](Position position, Breast& breast) {
-      present[position] = breast.elements()->unloading().unloaded();
-    });
-    ImageEnergyPoint point = energy_.evaluate(std::move(present), scheme_->needs_stiffness());
-    report(comparison, 0, 0., point);
-    unsigned n_updates = 0;
-    double gained = 0.;
+    ImageEnergyPoint point = begin(comparison);
+    unsigned& n_updates = progress_.n_updates;
     while (n_updates < parameters_.updates_per_level_ && point.is_allowed) {
+      if (n_updates == 0 || !scheme_->remembers_steps())
+        keep_();
       const double kappa = parameters_.weight_ * pair_.properties().tissue.shear_modulus /
                            point.similarity.residual_variance;
       const double before = point.value(kappa);
       if (!std::isfinite(kappa) || !improve(point, kappa))
         break;
-      pair_.for_each([&](Position position, Breast& breast) {
-        breast.elements()->unloading().adopt(point.unloaded[position]);
-      });
+      adopt(point);
       report(comparison, ++n_updates, kappa, point);
       const double gain = 1. - point.value(kappa) / before;
-      gained += gain;
-      if (gain < parameters_.least_gain_ * gained)
+      progress_.gained += gain;
+      if (gain < parameters_.least_gain_ * progress_.gained)
         break;
     }
     log_.line(format("  level %g mm: %s %.4g after %u updates", level, comparison.name().c_str(),
                      point.similarity.value, n_updates));
-    return n_updates;
+    progress_.result.n_updates += n_updates;
   }
 
 private:
+  /// The present point: that at which the level begins, or to which it had come before.
+  ImageEnergyPoint begin(const Comparison& comparison) {
+    PairVectors present;
+    if (progress_.n_updates > 0)
+      present = progress_.present;
+    else
+      pair_.for_each([&](Position position, Breast& breast) {
+        present[position] = breast.elements()->unloading().unloaded();
+      });
+    ImageEnergyPoint point = energy_.evaluate(std::move(present), scheme_->needs_stiffness());
+    if (progress_.grid.n_voxels() > 0) { // it goes on
+      if (progress_.n_updates > 0)
+        adopt(point); // sets the planes of sliding nodes, too
+      return point;
+    }
+    progress_.grid = comparison.domain().grid;
+    progress_.gained = 0.;
+    progress_.length = 1.;
+    report(comparison, 0, 0., point);
+    return point;
+  }
+
+  void adopt(const ImageEnergyPoint& point) {
+    pair_.for_each([&](Position position, Breast& breast) {
+      breast.elements()->unloading().adopt(point.unloaded[position]);
+    });
+  }
+
   /// Moves the point along the direction of the scheme, if that makes it better.
   bool improve(ImageEnergyPoint& point, double kappa) {
     const PairVectors direction = scheme_->direction(point, kappa);
-    const double first = scheme_->first_length(length_);
-    for (length_ = first; length_ > scheme_->shortest_part() * first; length_ *= 0.5) {
-      ImageEnergyPoint next = energy_.evaluate(energy_.moved(point.unloaded, length_, direction),
+    const double first = scheme_->first_length(progress_.length);
+    double& length = progress_.length;
+    for (length = first; length > scheme_->shortest_part() * first; length *= 0.5) {
+      ImageEnergyPoint next = energy_.evaluate(energy_.moved(point.unloaded, length, direction),
                                                scheme_->needs_stiffness());
       if (next.is_allowed && next.value(kappa) < point.value(kappa)) {
         scheme_->accept(point, next);
         point = std::move(next);
+        progress_.present = std::move(trial);
         return true;
       }
     }
@@ -81,16 +109,23 @@ private:
   BreastPair& pair_;
   const Log& log_;
   const Observer& observer_;
+  ImageForceProgress& progress_;
+  const Keeper& keep_;
   ImageEnergy energy_;
   std::unique_ptr<DescentScheme> scheme_;
-  double length_ = 1.; // of the last step, in its direction
 };
 
 void ImageForceRegistration::descend(BreastPair& pair, const ComparedImages& images, const Log& log,
-                                     const Observer& observer, ImageForceResult& result) const {
-  Descent descent(*this, pair, log, observer);
-  for (const double level : levels_)
-    result.n_updates += descent.run(images, level);
+                                     const Observer& observer, ImageForceProgress& progress,
+                                     const Keeper& keep) const {
+  Descent descent(*this, pair, log, observer, progress, keep);
+  while (progress.level < levels_.size()) {
+    descent.run(images);
+    ++progress.level;
+    progress.n_updates = 0;
+    progress.grid = {};
+    keep();
+  }
 }
 
 } // namespace prosup::registration

@@ -44,6 +44,7 @@ class LimitedMemory : public DescentScheme {
 public:
   explicit LimitedMemory(const ImageEnergy& energy) : energy_(energy) {}
 
+  bool remembers_steps() const override { return true; }
   PairVectors direction(const ImageEnergyPoint& point, double kappa) override {
     PairVectors q = point.descent(kappa);
     struct Pair {

@@ -16,6 +16,8 @@ public:
 
   /// Whether it uses the stiffness of the images.
   virtual bool needs_stiffness() const { return false; }
+  /// Whether directions depend on the steps before.
+  virtual bool remembers_steps() const { return false; }
   virtual PairVectors direction(const ImageEnergyPoint& point, double kappa) = 0;
   /// Length of the first step tried along a direction, after one of `last`.
   virtual double first_length(double) const { return 1.; }

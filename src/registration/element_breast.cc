@@ -112,7 +112,10 @@ make_element_breast(const BreastModel& model, const BreastInput& input, MPI_Comm
   parts.body =
       std::make_unique<mechanics::Body>(*mesh::make_distributed(parts.mesh, communicator), element);
   if (element.degree() == 2)
-    on_root(communicator, [&] { parts.mesh = mesh::refined(parts.mesh); });
+    on_root(communicator, [&] {
+      parts.coarse = std::move(parts.mesh);
+      parts.mesh = mesh::refined(parts.coarse);
+    });
   input.log.line(format("  %s: %zu cells, %zu nodes", name_of(input.position),
                         parts.mesh.cells.size(), parts.mesh.points.size()));
   parts.supports =

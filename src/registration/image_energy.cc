@@ -37,12 +37,16 @@ PairVectors ImageEnergyPoint::descent(double kappa) const {
   return force;
 }
 
-ImageEnergy::ImageEnergy(const BreastPair& pair, const JacobianBounds& bounds)
+ImageEnergy::ImageEnergy(const BreastPair& pair, const JacobianBounds& bounds,
+                         const PairVectors& start)
     : pair_(pair), bounds_(bounds) {
   pair_.for_each([&](Position position, Breast& breast) {
     ElementBreast& elements = *breast.elements();
-    start_[position] = elements.unloading().unloaded();
+    const bool is_given = start[position].size() > 0;
+    start_[position] = is_given ? start[position] : elements.unloading().unloaded();
     start_[position].update_ghost_values();
+    if (is_given) // springs act on areas at X0, whatever the present X
+      elements.supports().set_reference(start_[position]);
     elements.supports().contacts().put_on_surfaces(start_[position]);
     metric_[position] = std::make_unique<mechanics::ElasticMetric>(
         elements.supports(), elements.material(), start_[position]);

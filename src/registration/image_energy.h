@@ -38,9 +38,12 @@ struct ImageEnergyPoint {
 /// (Breast::elements()). Functions are collective on the world of the pair.
 class ImageEnergy {
 public:
-  /// X0 are the present positions of the pair. Elements have to keep J = det dx/dX within the
-  /// bounds.
-  ImageEnergy(const BreastPair& pair, const JacobianBounds& bounds);
+  /// X0 are the present positions of the pair, or those given. Elements have to keep J = det dx/dX
+  /// within the bounds.
+  ImageEnergy(const BreastPair& pair, const JacobianBounds& bounds, const PairVectors& start = {});
+
+  /// X0.
+  const PairVectors& start() const { return start_; }
 
   /// Measures the dissimilarity by `comparison` from now on, which has to live as long as it is
   /// used.

@@ -98,13 +98,19 @@ void ImageForceRegistration::declare_parameters(ParameterHandler& prm) {
 
 ImageForceResult ImageForceRegistration::run(BreastPair& pair, const ComparedImages& images,
                                              const Log& log, const Observer& observer) const {
-  ImageForceResult result;
+  ImageForceProgress progress;
+  run(pair, images, log, observer, progress, [] {});
+  return progress.result;
+}
+
+void ImageForceRegistration::run(BreastPair& pair, const ComparedImages& images, const Log& log,
+                                 const Observer& observer, ImageForceProgress& progress,
+                                 const Keeper& keep) const {
   if (scheme_ == accumulated || !consists_of_elements(pair))
-    accumulate(pair, images, log, observer, result);
+    accumulate(pair, images, log, observer, progress, keep);
   else
-    descend(pair, images, log, observer, result);
-  settle(pair, log, result);
-  return result;
+    descend(pair, images, log, observer, progress, keep);
+  settle(pair, log, progress.result);
 }
 
 void ImageForceRegistration::settle(BreastPair& pair, const Log& log, ImageForceResult& result) {

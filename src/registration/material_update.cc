@@ -12,10 +12,11 @@ namespace {
 const std::vector<std::string> method_names{"search", "stepwise", "none"};
 const std::vector<std::string> compared_names{"automatic", "images", "tissues"};
 
-/// Multiplies by `factor` while the similarity improves; returns how often it did.
-unsigned walk(PropertyTrials& trials, double factor, unsigned max_steps) {
-  unsigned n_accepted = 0;
-  for (; n_accepted < max_steps; ++n_accepted) {
+/// Multiplies by `factor` while the similarity improves.
+void walk(PropertyTrials& trials, double factor, const MaterialProgress& progress,
+          unsigned max_steps, const Keeper& keep) {
+  while (progress.n_accepted < max_steps) {
+    keep();
     MechanicalProperties properties = trials.best();
     properties.tissue.shear_modulus *= factor;
     const bool found = trials.unload(properties);
@@ -25,7 +26,6 @@ unsigned walk(PropertyTrials& trials, double factor, unsigned max_steps) {
     trials.accept(value);
   }
   trials.return_to_best();
-  return n_accepted;
 }
 
 } // namespace
@@ -72,28 +72,45 @@ void MaterialUpdate::declare_parameters(ParameterHandler& prm) {
 
 MaterialUpdateResult MaterialUpdate::run(BreastPair& pair, const ComparedImages& images,
                                          const Log& log, const Observer& observer) const {
-  MaterialUpdateResult result;
+  MaterialProgress progress;
+  run(pair, images, log, observer, progress, [] {});
+  return progress.result;
+}
+
+void MaterialUpdate::run(BreastPair& pair, const ComparedImages& images, const Log& log,
+                         const Observer& observer, MaterialProgress& progress,
+                         const Keeper& keep) const {
   if (method_ == "none")
-    return result;
+    return;
   const bool by_images =
       compared_ == "images" || (compared_ == "automatic" && images.metric->needs_same_contrast());
   const auto trials_on = [&](double level) {
-    return PropertyTrials(
-        pair, Comparison(pair, images, by_images ? Compared::images : Compared::tissues, level),
-        log, observer, result);
+    return PropertyTrials(pair,
+                          Comparison(pair, images, by_images ? Compared::images : Compared::tissues,
+                                     level, progress.grid),
+                          log, observer, progress);
   };
   if (method_ == "stepwise") {
     PropertyTrials trials = trials_on(levels_.back());
-    if (max_steps_ > 0 && walk(trials, factor_, max_steps_) == 0)
-      walk(trials, 1. / factor_, max_steps_);
-    return result;
+    if (!progress.walks_back)
+      walk(trials, factor_, progress, max_steps_, keep);
+    progress.walks_back = progress.walks_back || progress.n_accepted == 0;
+    if (progress.walks_back)
+      walk(trials, 1. / factor_, progress, max_steps_, keep);
+    return;
   }
-  for (const double level : levels_) {
+  while (progress.level < levels_.size()) {
+    const double level = levels_[progress.level];
     PropertyTrials trials = trials_on(level);
-    search_properties(properties_, trials, max_steps_, least_gain_, level == levels_.back());
+    search_properties(properties_, trials, progress, max_steps_, least_gain_,
+                      level == levels_.back(), keep);
+    ++progress.level;
+    progress.grid = {};
+    progress.derivatives.clear();
+    keep();
   }
-  result.at_bound = properties_at_bound(properties_, pair.properties(), pair.has_gland());
-  return result;
+  progress.result.at_bound =
+      properties_at_bound(properties_, pair.properties(), pair.has_gland());
 }
 
 } // namespace prosup::registration

@@ -63,8 +63,15 @@ constexpr double longest_step = 0.7; // of a logarithm, a factor of two
 /// Steps of one search.
 class Search {
 public:
-  Search(std::vector<const SearchedProperty*> searched, PropertyTrials& trials)
-      : searched_(std::move(searched)), trials_(trials), residuals_(trials.residuals()) {}
+  Search(std::vector<const SearchedProperty*> searched, PropertyTrials& trials,
+         MaterialProgress& progress)
+      : searched_(std::move(searched)), trials_(trials), residuals_(trials.residuals()),
+        derivatives_(progress.derivatives), is_exact_(progress.is_exact) {
+    if (derivatives_.empty())
+      linearize();
+    else
+      set_equations();
+  }
 
   bool is_exact() const { return is_exact_; }
 
@@ -157,9 +164,9 @@ private:
 
   const std::vector<const SearchedProperty*> searched_;
   PropertyTrials& trials_;
-  std::vector<float> residuals_;                // of the best state
-  std::vector<std::vector<float>> derivatives_; // of the residuals by each variable
-  bool is_exact_ = false;
+  std::vector<float> residuals_;                 // of the best state
+  std::vector<std::vector<float>>& derivatives_; // of the residuals by each variable
+  bool& is_exact_;
   FullMatrix<double> curvature_;
   Vector<double> slope_;
 };
@@ -177,15 +184,18 @@ const std::vector<std::string>& property_names() {
 }
 
 void search_properties(const std::vector<std::string>& names, PropertyTrials& trials,
-                       unsigned max_steps, double least_gain, bool to_the_end) {
+                       MaterialProgress& progress, unsigned max_steps, double least_gain,
+                       bool to_the_end, const Keeper& keep) {
   const auto chosen = chosen_of(names, trials.best(), trials.has_gland());
   if (chosen.empty())
     return;
-  Search search(chosen, trials);
-  search.linearize();
-  const double first = trials.best_value();
-  double damping = 1e-3;
-  for (unsigned i = 0; i < max_steps;) {
+  double& damping = progress.damping;
+  if (progress.derivatives.empty())
+    damping = 1e-3;
+  Search search(chosen, trials, progress);
+  const double first = progress.first_value;
+  while (progress.n_accepted < max_steps) {
+    keep();
     const double before = trials.best_value();
     const bool was_exact = search.is_exact();
     bool improved = false;
@@ -196,7 +206,6 @@ void search_properties(const std::vector<std::string>& names, PropertyTrials& tr
       damping = improved ? 0.1 * damping : std::max(10. * damping, 0.1);
       if (improved) {
         search.accept(value);
-        ++i;
       } else {
         trials.return_to_best();
       }

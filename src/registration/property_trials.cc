@@ -15,20 +15,25 @@ constexpr unsigned max_trial_steps = 3000;
 } // namespace
 
 PropertyTrials::PropertyTrials(BreastPair& pair, Comparison comparison, const Log& log,
-                               const Observer& observer, MaterialUpdateResult& result)
+                               const Observer& observer, MaterialProgress& progress)
     : pair_(pair), comparison_(std::move(comparison)), log_(log), observer_(observer),
-      result_(result), best_properties_(pair.properties()) {
+      progress_(progress), best_properties_(pair.properties()) {
   pair_.save();
-  best_value_ = comparison_.value();
-  report(best_value_);
+  if (progress_.grid.n_voxels() > 0)
+    return;
+  progress_.grid = comparison_.domain().grid;
+  progress_.n_accepted = 0;
+  progress_.first_value = progress_.best_value = comparison_.value();
+  report(progress_.best_value);
 }
 
 bool PropertyTrials::unload(const MechanicalProperties& properties) {
-  ++result_.n_trials;
+  MaterialUpdateResult& result = progress_.result;
+  ++result.n_trials;
   try {
     pair_.set_properties(properties);
     const auto unloaded = pair_.unload(max_trial_steps);
-    result_.n_steps += unloaded.prone.n_steps + unloaded.supine.n_steps;
+    result.n_steps += unloaded.prone.n_steps + unloaded.supine.n_steps;
     converged_ = unloaded.prone.converged && unloaded.supine.converged;
     return unloaded.prone.n_steps < max_trial_steps && unloaded.supine.n_steps < max_trial_steps;
   } catch (const Error& error) {
@@ -38,11 +43,11 @@ bool PropertyTrials::unload(const MechanicalProperties& properties) {
 }
 
 void PropertyTrials::accept(double value) {
-  best_value_ = value;
+  progress_.best_value = value;
   best_properties_ = pair_.properties();
   pair_.save();
-  result_.converged = converged_;
-  ++n_accepted_;
+  progress_.result.converged = converged_;
+  ++progress_.n_accepted;
   report(value);
 }
 
@@ -59,7 +64,7 @@ void PropertyTrials::report(double value) const {
     text += format(", chest %.2f Pa/mm", pair_.properties().chest_stiffness);
   log_.line(text + format("; %s %.4g", comparison_.name().c_str(), value));
   if (observer_)
-    observer_({"material", comparison_.level(), n_accepted_, 0., value});
+    observer_({"material", comparison_.level(), progress_.n_accepted, 0., value});
 }
 
 } // namespace prosup::registration

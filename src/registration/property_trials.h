@@ -11,10 +11,11 @@ namespace prosup::registration {
 /// compares its breasts on one level.
 class PropertyTrials {
 public:
+  /// Begins the level, or goes on with it where `progress` has its grid.
   PropertyTrials(BreastPair& pair, Comparison comparison, const Log& log, const Observer& observer,
-                 MaterialUpdateResult& result);
+                 MaterialProgress& progress);
 
-  double best_value() const { return best_value_; }
+  double best_value() const { return progress_.best_value; }
   const MechanicalProperties& best() const { return best_properties_; }
   bool has_gland() const { return pair_.has_gland(); }
 
@@ -33,10 +34,8 @@ private:
   const Comparison comparison_;
   const Log& log_;
   const Observer& observer_;
-  MaterialUpdateResult& result_;
+  MaterialProgress& progress_;
   bool converged_ = true;
-  unsigned n_accepted_ = 0;
-  double best_value_;
   MechanicalProperties best_properties_;
 };
 

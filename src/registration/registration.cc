@@ -25,6 +25,7 @@ void Registration::read(const CaseFiles& files, Remarks& remarks) {
   inputs_ = parameters_.images.read_pair(files, ranks_.world(), remarks);
   is_aligned_ = false;
   pair_.reset();
+  stage_ = resumed_ = Stage::nothing;
 }
 
 void Registration::align() {
@@ -57,6 +58,11 @@ SceneReport Registration::check() const {
 void Registration::build() {
   if (!is_aligned_)
     align();
+  make_pair({mesher_, mesher_});
+  stage_ = Stage::built;
+}
+
+void Registration::make_pair(const PerPosition<const mesh::MeshSource*>& meshers) {
   const BreastModel& model = parameters_.model;
   const MechanicalProperties properties{model.material.initial(),
                                         model.supports.chest_stiffness(files_.chest)};
@@ -64,7 +70,7 @@ void Registration::build() {
   const bool speaks = dealii::Utilities::MPI::max(int(log_.speaks()), ranks_.world()) > 0;
   pair_ = std::make_unique<BreastPair>(ranks_, properties, [&](Position position, MPI_Comm group) {
     return make_breast(model,
-                       {position, inputs_.scene, gravity[position], files_.chest, mesher_,
+                       {position, inputs_.scene, gravity[position], files_.chest, meshers[position],
                         speaks ? Log(group) : Log()},
                        group);
   });
@@ -73,9 +79,14 @@ void Registration::build() {
 PerPosition<SettlingResult> Registration::unload() {
   if (!pair_)
     build();
-  const PerPosition<SettlingResult> results = pair_->unload();
-  converged_ = results.prone.converged && results.supine.converged;
-  return results;
+  if (resumed_ < Stage::unloaded) {
+    unloaded_ = pair_->unload();
+    converged_ = unloaded_.prone.converged && unloaded_.supine.converged;
+    material_ = {};
+    forces_ = {};
+    stage_ = Stage::unloaded;
+  }
+  return unloaded_;
 }
 
 ComparedImages Registration::compared() const {
@@ -84,16 +95,25 @@ ComparedImages Registration::compared() const {
 }
 
 MaterialUpdateResult Registration::match_properties() {
-  const MaterialUpdateResult result =
-      parameters_.material_update.run(*pair_, compared(), log_, observer_);
-  converged_ = converged_ && result.converged;
-  return result;
+  if (resumed_ < Stage::properties_matched) {
+    if (stage_ >= Stage::properties_matched) // once more
+      material_ = {};
+    parameters_.material_update.run(*pair_, compared(), log_, observer_, material_, keeper_);
+    converged_ = converged_ && material_.result.converged;
+    stage_ = Stage::properties_matched;
+  }
+  return material_.result;
 }
 
 ImageForceResult Registration::match_images() {
-  const ImageForceResult result = parameters_.image_forces.run(*pair_, compared(), log_, observer_);
-  converged_ = converged_ && result.converged;
-  return result;
+  if (resumed_ < Stage::images_matched) {
+    if (stage_ >= Stage::images_matched)
+      forces_ = {};
+    parameters_.image_forces.run(*pair_, compared(), log_, observer_, forces_, keeper_);
+    converged_ = converged_ && forces_.result.converged;
+    stage_ = Stage::images_matched;
+  }
+  return forces_.result;
 }
 
 RegistrationResult Registration::result() const {

@@ -4,6 +4,7 @@
 #include "prosup/mechanics/static/quasi_static.h"
 #include "prosup/phantom/phantom_parameters.h"
 #include "prosup/pipeline/case_parameters.h"
+#include "prosup/pipeline/checkpoint_parameters.h"
 #include "prosup/pipeline/comparison_parameters.h"
 #include "prosup/pipeline/result_parameters.h"
 #include "prosup/pipeline/single_state_parameters.h"
@@ -19,6 +20,7 @@ struct AllParameters {
   mechanics::QuasiStaticParameters quasi_static;
   SingleStateParameters single_state;
   ResultParameters results;
+  CheckpointParameters checkpoint;
   phantom::PhantomParameters phantom;
   ComparisonParameters comparison;
 

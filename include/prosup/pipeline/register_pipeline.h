@@ -4,11 +4,14 @@
 #include <mpi.h>
 
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "prosup/output/convergence.h"
 #include "prosup/pipeline/case_parameters.h"
+#include "prosup/pipeline/checkpoint_parameters.h"
 #include "prosup/pipeline/landmark_evaluation.h"
 #include "prosup/pipeline/outcome.h"
 #include "prosup/pipeline/result_parameters.h"
@@ -18,6 +21,8 @@
 
 namespace prosup::pipeline {
 
+class Checkpoints;
+
 /// `prosup register`: a Registration whose stages are timed, evaluated at landmarks and written to
 /// a result folder. run() reads like the data flow. Collective on `world`.
 class RegisterPipeline {
@@ -25,14 +30,21 @@ public:
   /// Keeps references to all but the target. `all` has the values of all parameters, for used.prm.
   RegisterPipeline(const CaseParameters& case_files,
                    const registration::RegistrationParameters& parameters,
-                   const ResultParameters& results, const dealii::ParameterHandler& all,
-                   const ResultTarget& output, MPI_Comm world);
+                   const ResultParameters& results, const CheckpointParameters& checkpoint,
+                   const dealii::ParameterHandler& all, const ResultTarget& output,
+                   MPI_Comm world);
+  ~RegisterPipeline();
 
   /// @returns whether the verdict on the registration is not that it failed. The result folder is
   /// written either way, and says so. @throws Error if there is no result.
   Outcome run();
 
 private:
+  /// Runs a stage and keeps what it did, unless a checkpoint has done it.
+  void stage(const char* name, registration::Stage done, std::optional<double>& seconds,
+             const std::function<void()>& work);
+  void restart();
+  void keep();
   void read();
   void align();
   void check();
@@ -60,6 +72,7 @@ private:
   std::vector<output::ConvergenceEntry> convergence_;
   registration::Quality quality_;
   Outcome outcome_ = Outcome::success; // on rank 0
+  std::unique_ptr<Checkpoints> checkpoints_; // null if the registration cannot be kept
 };
 
 } // namespace prosup::pipeline

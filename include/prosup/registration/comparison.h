@@ -25,6 +25,9 @@ struct SimilarityRecord {
 /// Told, on all ranks, of each state that a registration goes on from, when the pair has it.
 using Observer = std::function<void(const SimilarityRecord&)>;
 
+/// Told, on all ranks, of each point from which a stage could go on in another process.
+using Keeper = std::function<void()>;
+
 /// What two unloaded breasts are compared by.
 enum class Compared {
   images, ///< by the chosen metric
@@ -46,9 +49,10 @@ struct ComparedImages {
 /// forces that follow from it. All functions are collective on the ranks of both breasts.
 class Comparison {
 public:
-  /// On voxels of edge `level` mm around the unloaded breasts as they are now. Keeps references to
-  /// the pair and to what `compared` refers to.
-  Comparison(const BreastPair& pair, const ComparedImages& compared, Compared by, double level);
+  /// On voxels of edge `level` mm around the unloaded breasts as they are now, or on those of
+  /// `grid` if it has any. Keeps references to the pair and to what `compared` refers to.
+  Comparison(const BreastPair& pair, const ComparedImages& compared, Compared by, double level,
+             const image::VoxelGrid& grid = {});
 
   /// The name of what is measured.
   const std::string& name() const { return name_; }

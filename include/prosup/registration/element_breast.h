@@ -8,6 +8,7 @@
 #include "prosup/mechanics/body/supports.h"
 #include "prosup/registration/breast.h"
 #include "prosup/registration/breast_model.h"
+#include "prosup/registration/breast_state.h"
 #include "prosup/similarity/element_samples.h"
 #include "prosup/unloading/unloading.h"
 
@@ -24,6 +25,7 @@ public:
     std::unique_ptr<unloading::Unloading> unloading;
     mesh::TetMesh
         mesh; ///< that of Body::cells() on the first rank; empty if mesh() is not asked for
+    mesh::TetMesh coarse{}; ///< where the body was made of a coarser one (quadratic elements)
   };
 
   /// Keeps a reference to the material.
@@ -48,6 +50,18 @@ public:
 
   mesh::UnloadedMesh mesh() const override;
 
+  /// What it goes on from; with fields of the nodes that this rank owns. Collective.
+  BreastState state() const;
+  /// Goes on from there, with the properties as they are. The state has to tell of the nodes that
+  /// this rank owns; more do no harm. Collective.
+  /// @throws Error if it does not, or is of another mesh.
+  void resume(const BreastState& state);
+  /// Numbers at the nodes of `nodes` in a field of BreastState, and the field of the nodes that
+  /// this rank owns. Collective.
+  std::vector<double> rows_of(const mechanics::NodeVector& field) const;
+  mechanics::NodeVector field_of(const std::vector<unsigned>& nodes,
+                                 const std::vector<double>& rows) const;
+
   ElementBreast* elements() override { return this; }
   const mechanics::Body& body() const { return *parts_.body; }
   mechanics::Supports& supports() { return *parts_.supports; }
@@ -57,6 +71,9 @@ public:
   const mechanics::Material& material() const { return material_of_elements_; }
 
 private:
+  /// Number of each local node in the mesh.
+  const std::vector<unsigned>& node_numbers() const;
+
   const Position position_;
   Parts parts_;
   const mechanics::TissueMaterial& material_;
@@ -64,7 +81,8 @@ private:
   std::optional<unloading::Unloading::Snapshot> saved_;
   std::optional<similarity::ElementSamples> samples_;
   mechanics::NodeVector image_forces_, increment_;
-  bool is_loaded_ = false; // by load()
+  bool is_loaded_ = false;                     // by load()
+  mutable std::vector<unsigned> node_numbers_; // once they were asked for
 };
 
 /// Meshes the labels of a breast, on the first rank of `communicator`, and sets up its body.

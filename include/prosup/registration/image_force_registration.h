@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "prosup/core/log.h"
+#include "prosup/mechanics/body/body.h"
 #include "prosup/registration/comparison.h"
 
 namespace prosup::registration {
@@ -15,6 +16,22 @@ struct ImageForceResult {
   unsigned n_steps = 0;   ///< time steps of both breasts
   unsigned n_updates = 0; ///< accepted ones
   bool converged = true;  ///< both breasts settled under the final forces
+};
+
+/// How far an ImageForceRegistration has come: it goes on from there with the pair as it is at such
+/// a point.
+struct ImageForceProgress {
+  ImageForceResult result;
+  unsigned level = 0;                       ///< index of the level at work
+  image::VoxelGrid grid;                    ///< of its comparison; without voxels before it begins
+  unsigned n_updates = 0;                   ///< on the level
+  double gained = 0.;                       ///< on the level, parts of phi
+  double length = 1.;                       ///< of the last step, in its direction
+  double weight = 0.;                       ///< kappa of accumulated forces, Pa
+  PerPosition<mechanics::NodeVector> start; ///< X0; of no size before the descent begins
+  /// X of the last update, before sliding nodes are put on their surfaces, which moves them a
+  /// little each time it is done.
+  PerPosition<mechanics::NodeVector> present;
 };
 
 /// Pushes the unloaded breasts together with image forces, from coarse to fine image levels,
@@ -51,15 +68,19 @@ public:
   /// under the final forces they keep their last good state, and `log` says why.
   ImageForceResult run(BreastPair& pair, const ComparedImages& images, const Log& log,
                        const Observer& observer = {}) const;
+  /// The same from `progress` on, which it brings up to date; `keep` is called where both it and
+  /// the pair could be kept to go on from.
+  void run(BreastPair& pair, const ComparedImages& images, const Log& log, const Observer& observer,
+           ImageForceProgress& progress, const Keeper& keep) const;
 
 private:
   class Accumulation;
   class Descent;
 
   void accumulate(BreastPair& pair, const ComparedImages& images, const Log& log,
-                  const Observer& observer, ImageForceResult& result) const;
+                  const Observer& observer, ImageForceProgress& progress, const Keeper& keep) const;
   void descend(BreastPair& pair, const ComparedImages& images, const Log& log,
-               const Observer& observer, ImageForceResult& result) const;
+               const Observer& observer, ImageForceProgress& progress, const Keeper& keep) const;
   static void settle(BreastPair& pair, const Log& log, ImageForceResult& result);
 
   std::string scheme_;

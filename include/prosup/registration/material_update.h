@@ -18,6 +18,21 @@ struct MaterialUpdateResult {
   std::vector<std::string> at_bound; ///< searched properties that ended at the end of their range
 };
 
+/// How far a MaterialUpdate has come: it goes on from there with the pair as it is at such a point,
+/// which is the best state found.
+struct MaterialProgress {
+  MaterialUpdateResult result;
+  unsigned level = 0;      ///< index of the level at work
+  image::VoxelGrid grid;   ///< of its comparison; without voxels before it begins
+  double first_value = 0.; ///< of the metric, at the begin of the level
+  double best_value = 0.;  ///< of the metric
+  unsigned n_accepted = 0; ///< steps on the level
+  double damping = 0.;     ///< of the next step of the search
+  bool is_exact = false;   ///< the derivatives are differences
+  bool walks_back = false; ///< stepwise makes the tissue softer
+  std::vector<std::vector<float>> derivatives; ///< of the residuals by each property
+};
+
 /// Finds the mechanical properties with which the unloaded images are most alike, section
 /// "Material update".
 ///
@@ -46,6 +61,10 @@ public:
   /// found, BreastPair::properties().
   MaterialUpdateResult run(BreastPair& pair, const ComparedImages& images, const Log& log,
                            const Observer& observer = {}) const;
+  /// The same from `progress` on, which it brings up to date; `keep` is called where both it and
+  /// the pair could be kept to go on from.
+  void run(BreastPair& pair, const ComparedImages& images, const Log& log, const Observer& observer,
+           MaterialProgress& progress, const Keeper& keep) const;
 
 private:
   std::string method_;

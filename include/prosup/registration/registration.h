@@ -15,6 +15,7 @@
 #include "prosup/registration/inputs.h"
 #include "prosup/registration/material_update.h"
 #include "prosup/registration/pre_alignment.h"
+#include "prosup/registration/registration_state.h"
 #include "prosup/registration/scene_check.h"
 #include "prosup/similarity/similarity_parameters.h"
 
@@ -77,6 +78,18 @@ public:
   /// As it is now.
   RegistrationResult result() const;
 
+  /// Whether it can be kept and resumed: breasts of finite elements can.
+  bool has_state() const;
+  /// What it goes on from. To be asked for between the calls above, or by a keeper.
+  RegistrationState state() const;
+  /// Goes on from there, after read() of the same files with the same parameters, on any number of
+  /// ranks. The calls above then do what the state has not done yet.
+  /// @throws Error if the state does not fit.
+  void resume(const RegistrationState& state);
+  Stage stage() const { return stage_; }
+  /// Is told of each point within a stage from which it could go on.
+  void set_keeper(Keeper keeper) { keeper_ = std::move(keeper); }
+
   /// Two parts of unload(), which does what the host has not done yet, for instance to time it.
   /// Lays the supine chest on the prone one if the parameters ask for it.
   void align();
@@ -94,6 +107,7 @@ public:
 private:
   ComparedImages compared() const;
   PerPosition<dealii::Tensor<1, 3>> gravity() const;
+  void make_pair(const PerPosition<const mesh::MeshSource*>& meshers);
 
   const RegistrationParameters& parameters_;
   const Log log_;
@@ -107,6 +121,12 @@ private:
   std::optional<Alignment> alignment_;
   std::unique_ptr<BreastPair> pair_;
   bool converged_ = true;
+  Stage stage_ = Stage::nothing;
+  Stage resumed_ = Stage::nothing; // stages up to here were done before resume()
+  PerPosition<settling::SettlingResult> unloaded_;
+  MaterialProgress material_;
+  ImageForceProgress forces_;
+  Keeper keeper_ = [] {};
 };
 
 } // namespace prosup::registration

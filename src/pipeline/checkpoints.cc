@@ -1,0 +1,201 @@
+#include "checkpoints.h"
+
+#include <deal.II/base/mpi.h>
+
+#include "prosup/core/checksum.h"
+#include "prosup/core/collective.h"
+#include "prosup/core/parameters.h"
+#include "prosup/core/version.h"
+
+namespace prosup::pipeline {
+
+namespace fs = std::filesystem;
+using namespace dealii;
+
+namespace {
+
+bool is_input_file(const std::string& entry) {
+  for (const char* end : {" image", " labels", " excluded", "/Landmarks"})
+    if (entry.rfind("Case/", 0) == 0 && entry.size() > std::string(end).size() &&
+        entry.compare(entry.size() - std::string(end).size(), std::string::npos, end) == 0)
+      return true;
+  return entry == "Single state/Mesh";
+}
+
+const std::string advice = "run without --restart to begin from the start";
+
+std::string lines_of(const ParameterEntries& entries) {
+  std::string text;
+  for (const auto& [name, value] : entries)
+    text += name + " = " + value + "\n";
+  return text;
+}
+
+ParameterEntries entries_of(const std::string& text) {
+  ParameterEntries entries;
+  for (const std::string& line : Utilities::split_string_list(text, "\n")) {
+    const std::size_t equals = line.find(" =");
+    if (equals != std::string::npos)
+      entries[line.substr(0, equals)] = Utilities::trim(line.substr(equals + 2));
+  }
+  return entries;
+}
+
+/// The entries that say what a run computes. Files count by what is in them.
+ParameterEntries relevant(const ParameterHandler& all) {
+  ParameterEntries entries = parameter_entries(all);
+  for (auto entry = entries.begin(); entry != entries.end();)
+    if (entry->first.rfind("Checkpoint/", 0) == 0 || is_input_file(entry->first))
+      entry = entries.erase(entry);
+    else
+      ++entry;
+  return entries;
+}
+
+} // namespace
+
+Checkpoints::Checkpoints(const std::string& command, const CheckpointParameters& parameters,
+                         const ParameterHandler& all, const fs::path& output, MPI_Comm world,
+                         const Log& log)
+    : kind_("checkpoint of " + command), parameters_(parameters), all_(all), output_(output),
+      folder_(parameters.folder_for(output)), world_(world), log_(log) {}
+
+fs::path Checkpoints::file(unsigned slot) const {
+  return folder_ / (slot == 0 ? "a.h5" : "b.h5");
+}
+
+const std::string& Checkpoints::inputs() {
+  if (inputs_.empty()) {
+    on_root(world_, [&] {
+      ParameterEntries digests;
+      for (const auto& [name, value] : parameter_entries(all_))
+        if (is_input_file(name))
+          digests[name] = value.empty() ? "none" : fs::exists(value) ? digest(value) : "missing";
+      inputs_ = lines_of(digests);
+    });
+    inputs_ = Utilities::MPI::broadcast(world_, inputs_);
+  }
+  return inputs_;
+}
+
+std::unique_ptr<output::Hdf5Reader> Checkpoints::restart() {
+  inputs(); // as they are read now
+  bool exists[2] = {false, false};
+  on_root(world_, [&] {
+    exists[0] = fs::exists(file(0));
+    exists[1] = fs::exists(file(1));
+    if (parameters_.restart && !exists[0] && !exists[1] && fs::exists(output_ / "summary.json"))
+      throw Error("The run into '" + output_.string() + "' has ended and left no checkpoint in '" +
+                  folder_.string() + "'; run without --restart to repeat it.");
+  });
+  MPI_Bcast(exists, 2, MPI_CXX_BOOL, 0, world_);
+  if (!parameters_.restart) {
+    if (exists[0] || exists[1])
+      log_.line("An earlier run left a checkpoint in " + folder_.string() +
+                "; --restart would go on from there.");
+    return nullptr;
+  }
+  int newest = -1;
+  std::string damage;
+  for (unsigned slot = 0; slot < 2; ++slot) {
+    if (!exists[slot])
+      continue;
+    try {
+      const output::Hdf5Reader reader(file(slot), kind_, world_, advice);
+      const auto sequence = static_cast<unsigned>(reader.number("sequence"));
+      if (newest < 0 || sequence > sequence_) {
+        sequence_ = sequence;
+        newest = static_cast<int>(slot);
+      }
+    } catch (const Error& error) {
+      damage = error.what();
+    }
+  }
+  if (newest < 0 && !damage.empty())
+    throw Error(damage);
+  if (!damage.empty())
+    log_.line(damage.substr(0, damage.find(';')) + "; the other one is taken.");
+  if (newest < 0) {
+    log_.line("There is no checkpoint in " + folder_.string() + ": the run begins from the start.");
+    return nullptr;
+  }
+  slot_ = 1 - static_cast<unsigned>(newest);
+  auto reader = std::make_unique<output::Hdf5Reader>(file(1 - slot_), kind_, world_, advice);
+  compare(*reader);
+  log_.line("The run goes on from " + file(1 - slot_).string() + ".");
+  return reader;
+}
+
+void Checkpoints::compare(const output::Hdf5Reader& checkpoint) {
+  const std::string where = "in the checkpoint '" + file(1 - slot_).string() + "'";
+  if (const std::string written_by = checkpoint.text("version"); written_by != version())
+    throw Error("This is version " + std::string(version()) + ", but " + written_by + " is named " +
+                where + "; " + advice + ".");
+  const ParameterEntries now = relevant(all_), then = entries_of(checkpoint.text("parameters"));
+  for (const auto& [name, value] : now)
+    if (const auto old = then.find(name); old == then.end() || old->second != value)
+      throw Error("The parameter '" + name + "' is '" + value + "', but '" +
+                  (old == then.end() ? "" : old->second) + "' " + where +
+                  "; give the old value, or " + advice + ".");
+  const ParameterEntries inputs_then = entries_of(checkpoint.text("inputs"));
+  for (const auto& [name, value] : entries_of(inputs()))
+    if (const auto old = inputs_then.find(name); old == inputs_then.end() || old->second != value)
+      throw Error("The file of '" + name + "' is not the one named " + where +
+                  ", its contents differ; give the old file, or " + advice + ".");
+}
+
+bool Checkpoints::is_time() const {
+  const double since = std::chrono::duration<double>(Clock::now() - last_).count();
+  return Utilities::MPI::broadcast(world_,
+                                   int(parameters_.wanted && since >= parameters_.interval)) != 0;
+}
+
+void Checkpoints::keep(const std::function<void(output::Hdf5Writer&)>& contents) {
+  if (!is_time())
+    return;
+  try {
+    write(contents);
+  } catch (const Error& error) {
+    if (warning_.empty()) {
+      warning_ = std::string("No checkpoint was written: ") + error.what();
+      log_.line("Warning: " + warning_);
+    }
+  }
+  last_ = Clock::now();
+}
+
+void Checkpoints::write(const std::function<void(output::Hdf5Writer&)>& contents) {
+  on_root(world_, [&] {
+    std::error_code error;
+    fs::create_directories(folder_, error);
+    if (error)
+      throw Error("The folder '" + folder_.string() + "' cannot be made: " + error.message() +
+                  "; choose another with 'Checkpoint/Folder'.");
+  });
+  output::Hdf5Writer writer(file(slot_), kind_, world_);
+  writer.text("version", version());
+  writer.text("parameters", lines_of(relevant(all_)));
+  writer.text("inputs", inputs());
+  writer.number("sequence", sequence_ + 1);
+  contents(writer);
+  writer.commit();
+  // What is left of an earlier run, from which this one did not go on.
+  std::error_code ignored;
+  if (sequence_ == 0 && Utilities::MPI::this_mpi_process(world_) == 0)
+    fs::remove(file(1 - slot_), ignored);
+  ++sequence_;
+  slot_ = 1 - slot_;
+}
+
+void Checkpoints::remove() {
+  if (Utilities::MPI::this_mpi_process(world_) != 0)
+    return;
+  std::error_code ignored;
+  for (const unsigned slot : {0u, 1u}) {
+    fs::remove(file(slot), ignored);
+    fs::remove(folder_ / ("." + file(slot).filename().string() + ".part"), ignored);
+  }
+  fs::remove(folder_, ignored); // if nothing else is in it
+}
+
+} // namespace prosup::pipeline
