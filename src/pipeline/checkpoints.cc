@@ -4,7 +4,7 @@
 
 #include "prosup/core/checksum.h"
 #include "prosup/core/collective.h"
-#include "prosup/core/parameters.h"
+#include "prosup/core/parameter_entries.h"
 #include "prosup/core/version.h"
 
 namespace prosup::pipeline {

@@ -14,12 +14,6 @@ mesh::UnloadedMesh exchanged(mesh::UnloadedMesh mesh) {
   return mesh;
 }
 
-/// A mesh that is there already, whatever the labels.
-struct GivenMesh : mesh::MeshSource {
-  mesh::TetMesh mesh(const image::LabelImage&) const override { return given; }
-  mesh::TetMesh given;
-};
-
 /// One unloaded breast to its loaded configuration.
 class LoadJob : public SingleStateJob {
 public:

@@ -11,6 +11,7 @@
 #include "prosup/pipeline/descriptions.h"
 #include "prosup/pipeline/result_images.h"
 #include "prosup/pipeline/unloaded_grid.h"
+#include "state_hdf5.h"
 
 namespace prosup::pipeline {
 
@@ -27,20 +28,61 @@ SingleStateJob::SingleStateJob(const AllParameters& parameters, const dealii::Pa
                                const std::string& command, std::string simulation)
     : parameters_(parameters), position_(parameters.case_files.position()),
       name_(name_of(position_)), world_(world), simulation_(std::move(simulation)),
-      run_(command, all, output, world) {
+      run_(command, all, output, world),
+      checkpoints_(command, parameters.checkpoint, all, output.folder, world, run_.log()) {
+  if (parameters.checkpoint.restart && parameters.model().simulation.method != "fe")
+    throw Error("Finite differences leave no checkpoints; run without --restart.");
   scene_.chest_label = parameters.registration.labels.chest;
   scene_.gland_label = parameters.registration.labels.gland;
 }
 
 bool SingleStateJob::run() {
   run_.stage("Reading", [&] { on_root(world_, [&] { read(); }); });
+  restart();
   on_root(world_, [&] { check(); });
-  run_.stage(meshing, [&] { build(); });
-  run_.stage(simulation_, [&] { simulate(); });
+  if (!breast_) {
+    run_.stage(meshing, [&] { build(); });
+    keep(false);
+  }
+  if (!is_done_) {
+    run_.stage(simulation_, [&] { simulate(); });
+    keep(true);
+  }
   run_.stage("Writing results", [&] { write(); });
   run_.summary().time.mesh = run_.seconds(meshing);
   run_.summary().time.unloading = run_.seconds(simulation_);
-  return run_.finish(report());
+  const bool settled = run_.finish(report());
+  checkpoints_.remove();
+  return settled;
+}
+
+void SingleStateJob::restart() {
+  const auto checkpoint = checkpoints_.restart();
+  if (!checkpoint)
+    return;
+  registration::BreastState state = read_breast_state(*checkpoint, name_);
+  given_mesh_ = std::make_unique<GivenMesh>(state.mesh);
+  build();
+  breast_->elements()->resume(state);
+  is_done_ = checkpoint->number("run/is_done") > 0.;
+  if (!is_done_)
+    return;
+  run_.summary().steps = static_cast<std::size_t>(checkpoint->number("run/steps"));
+  run_.summary().converged = checkpoint->number("run/converged") > 0.;
+  mesh_ = breast_->mesh();
+}
+
+/// Newton's method leaves the breast as it is, so that only its mesh is kept.
+void SingleStateJob::keep(bool is_done) {
+  registration::ElementBreast* const elements = breast_->elements();
+  if (elements == nullptr || (is_done && !parameters_.single_state.is_explicit()))
+    return;
+  checkpoints_.keep([&](output::Hdf5Writer& file) {
+    write_state(file, name_, elements->state(), world_);
+    file.number("run/is_done", is_done ? 1. : 0.);
+    file.number("run/steps", static_cast<double>(run_.summary().steps.value_or(0)));
+    file.number("run/converged", run_.summary().converged ? 1. : 0.);
+  });
 }
 
 void SingleStateJob::read() {
@@ -68,10 +110,10 @@ void SingleStateJob::build() {
   for (const Position position : both_positions)
     image::broadcast(scene_.labels[position], world_);
   const registration::CaseFiles& files = parameters_.case_files.files();
-  breast_ = registration::make_breast(
-      parameters_.model(),
-      {position_, scene_, files.gravity[position_], files.chest, mesh_source(), run_.log()},
-      world_);
+  breast_ = registration::make_breast(parameters_.model(),
+                                      {position_, scene_, files.gravity[position_], files.chest,
+                                       given_mesh_ ? given_mesh_.get() : mesh_source(), run_.log()},
+                                      world_);
 }
 
 void SingleStateJob::simulate() {

@@ -4,13 +4,22 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
+#include "checkpoints.h"
 #include "prosup/pipeline/all_parameters.h"
 #include "prosup/pipeline/landmark_evaluation.h"
 #include "prosup/pipeline/result_run.h"
 #include "prosup/registration/quasi_static_breast.h"
 
 namespace prosup::pipeline {
+
+/// A mesh that is there already, whatever the labels.
+struct GivenMesh : mesh::MeshSource {
+  explicit GivenMesh(mesh::TetMesh mesh = {}) : given(std::move(mesh)) {}
+  mesh::TetMesh mesh(const image::LabelImage&) const override { return given; }
+  mesh::TetMesh given;
+};
 
 /// What the commands load and unload share: one breast from its labels, or a mesh, to a simulation
 /// and a result folder. Collective on `world`.
@@ -60,13 +69,19 @@ private:
   void check();
   void build();
   void simulate();
+  /// Takes breast and progress from the last checkpoint if it is wanted and there.
+  void restart();
+  void keep(bool is_done);
   void write();
   std::string report() const;
 
   MPI_Comm world_;
   const std::string simulation_;
   ResultRun run_;
+  Checkpoints checkpoints_;
+  std::unique_ptr<GivenMesh> given_mesh_; // of a checkpoint
   std::unique_ptr<registration::Breast> breast_;
+  bool is_done_ = false; // by the run that the checkpoint is of
 };
 
 } // namespace prosup::pipeline

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -34,10 +33,6 @@ void resolve_files(dealii::ParameterHandler& parameters, const std::string& sect
 /// Writes all parameters with values, units and documentation to `file`.
 void write_parameters(const dealii::ParameterHandler& parameters,
                       const std::filesystem::path& file);
-
-/// The values of all parameters by their paths, "Section/Subsection/Entry".
-using ParameterEntries = std::map<std::string, std::string>;
-ParameterEntries parameter_entries(const dealii::ParameterHandler& parameters);
 
 /// Pattern for a value that must be one of `names`.
 dealii::Patterns::Selection one_of(const std::vector<std::string>& names);
