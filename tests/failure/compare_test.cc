@@ -37,11 +37,11 @@ TEST_F(Compare, PeersThatAreNotKnownOrHaveNothingToDo) {
 }
 
 TEST_F(Compare, OutputFolderWithForeignContent) {
-  write("thesis.txt", "years of work");
+  write("summary.json", "years of work");
   expect_refused(Arguments{"compare", PROSUP_PRM_FOLDER "/tests/small.prm", "--set",
                            "Comparison/Runs=FE/a: ", "--output", folder_ / ""},
                  {"summary.json", "--output"});
-  EXPECT_EQ(contents(folder_ / "thesis.txt"), "years of work");
+  EXPECT_EQ(contents(folder_ / "summary.json"), "years of work");
 }
 
 } // namespace

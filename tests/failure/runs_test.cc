@@ -29,15 +29,49 @@ TEST_F(Run, FiniteDifferencesWithAModelThatTheyDoNotHave) {
 TEST_F(Run, OutputFolderWithForeignContent) {
   const auto foreign = folder_ / "precious";
   std::filesystem::create_directory(foreign);
-  text_file(foreign / "thesis.txt", "years of work");
-  for (const char* command : {"register", "unload", "mesh"})
+  text_file(foreign / "summary.json", "years of work");
+  for (const char* command : {"register", "unload", "mesh", "load"})
     expect_refused({command, PROSUP_PRM_FOLDER "/tests/small.prm", "--output", foreign},
-                   {"precious", "summary.json", "--output"}, 2);
-  EXPECT_EQ(contents(foreign / "thesis.txt"), "years of work");
+                   {"precious", "'summary.json'", "--overwrite", "--output"}, 2);
+  EXPECT_EQ(contents(foreign / "summary.json"), "years of work");
   unsigned n_entries = 0;
   for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(foreign))
     ++n_entries;
   EXPECT_EQ(n_entries, 1u);
+}
+
+// The name of an input is that of an output, also through a link.
+TEST_F(Run, OutputOverAnInput) {
+  const auto place = folder_ / "case";
+  std::filesystem::create_directory(place);
+  std::filesystem::copy(data_file("small/landmarks.csv"), place / "landmarks.csv");
+  std::filesystem::create_symlink(place / "landmarks.csv", folder_ / "link.csv");
+  for (const std::filesystem::path& landmarks : {place / "landmarks.csv", folder_ / "link.csv"})
+    expect_refused({"register", PROSUP_PRM_FOLDER "/tests/small.prm", "--landmarks", landmarks,
+                    "--output", place, "--overwrite"},
+                   {"input", "landmarks.csv", "--output"});
+  EXPECT_EQ(contents(place / "landmarks.csv"), contents(data_file("small/landmarks.csv")));
+}
+
+TEST_F(Run, WritePrmOverAFile) {
+  const std::string file = write("mine.prm", "subsection Case\nend\n");
+  expect_refused({"register", file, "--write-prm", file, "--overwrite"}, {"mine.prm", "input"});
+  expect_refused({"register", "--write-prm", file}, {"mine.prm", "--overwrite"});
+  EXPECT_EQ(contents(file), "subsection Case\nend\n");
+}
+
+TEST_F(Run, MapOverItsInputOrAForeignFile) {
+  const std::string result = folder_ / "result", text = "id,x,y,z\na,1,2,3\n";
+  std::filesystem::create_directory(result);
+  write("result/summary.json", "{}");
+  const std::string in = write("in.csv", text), other = write("other.csv", "patient,age\n");
+  const Arguments mapping{"map", "--result", result, "--from", "prone", "--to", "supine", in, "-o"};
+  expect_refused(mapping + Arguments{in}, {"in.csv", "input"});
+  expect_refused(mapping + Arguments{other}, {"other.csv", "--overwrite"});
+  for (const char* name : {"out.fcsv", "out.mrk.json", "out.nii.gz"})
+    expect_refused(mapping + Arguments{folder_ / name}, {name, "CSV"});
+  EXPECT_EQ(contents(in), text);
+  EXPECT_EQ(contents(other), "patient,age\n");
 }
 
 TEST_F(Run, OutputFolderUnderAFile) {
