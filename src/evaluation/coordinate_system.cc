@@ -15,7 +15,7 @@ CoordinateSystem coordinate_system(const std::string& name, const std::string& w
     return CoordinateSystem::lps;
   if (system == "ras" || system == "0")
     return CoordinateSystem::ras;
-  throw Error("In " + where + ": the coordinate system '" + name +
+  throw Error("In " + where + ": the coordinate system '" + shown(name) +
               "' is not supported; save the points in LPS or RAS.");
 }
 

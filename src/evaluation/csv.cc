@@ -29,10 +29,10 @@ double parse_number(const std::string& text, const std::string& where, const std
   double value = 0.;
   const auto [end, error] = std::from_chars(first, last, value);
   if (error != std::errc() || end != last || !std::isfinite(value))
-    throw Error("In " + where + ", column '" + column + "': '" + text +
+    throw Error("In " + where + ", column '" + shown(column) + "': '" + shown(text) +
                 "' is not a coordinate; write a finite number in mm with a decimal point, such as "
                 "-12.5.");
-  check_coordinate(value, where + ", column '" + column + "'");
+  check_coordinate(value, where + ", column '" + shown(column) + "'");
   return value;
 }
 
@@ -82,7 +82,7 @@ void Table::add_row(Record record) {
   if (!fits)
     throw Error("In " + evaluation::where(file_, record.line) + ": there are " +
                 std::to_string(values.size()) + " values where the header names " +
-                std::to_string(header_.size()) + " columns (" + joined(header_) +
+                std::to_string(header_.size()) + " columns (" + shown(joined(header_), 200) +
                 "); give one value for each, with points, not commas, in the decimals.");
   rows_.push_back(std::move(record));
 }
@@ -100,8 +100,8 @@ std::optional<std::size_t> Table::find(const std::string& name) const {
 std::size_t Table::column(const std::string& name) const {
   const auto found = find(name);
   if (!found)
-    throw Error("The file '" + file_ + "' has no column '" + name + "' (it has " + joined(header_) +
-                "); name it in the first line.");
+    throw Error("The file '" + file_ + "' has no column '" + name + "' (it has " +
+                shown(joined(header_), 200) + "); name it in the first line.");
   return *found;
 }
 
@@ -120,8 +120,9 @@ bool Table::has(const std::array<std::string, 3>& names) const {
 void Table::require_mm(std::size_t column) const {
   if (units_[column].empty() || units_[column] == "mm")
     return;
-  throw Error("In " + evaluation::where(file_, header_line_) + ": the column '" + header_[column] +
-              "' is in '" + units_[column] + "', but coordinates are in mm; convert them.");
+  throw Error("In " + evaluation::where(file_, header_line_) + ": the column '" +
+              shown(header_[column]) + "' is in '" + shown(units_[column]) +
+              "', but coordinates are in mm; convert them.");
 }
 
 PointColumns Table::point_columns(const std::string& prefix, Remarks& remarks) const {
@@ -133,7 +134,7 @@ PointColumns Table::point_columns(const std::string& prefix, Remarks& remarks) c
   if (n_found > 1)
     throw Error("In " + evaluation::where(file_, header_line_) +
                 ": the position of a point is given by several triples of columns (" +
-                joined(header_) + "); leave only one of them.");
+                shown(joined(header_), 200) + "); leave only one of them.");
   const bool turned = has(ras);
   const auto& names = has(lps) ? lps : turned ? ras : xyz;
   PointColumns columns{{}, turned ? CoordinateSystem::ras : CoordinateSystem::lps};
@@ -164,7 +165,7 @@ std::string Table::where(std::size_t row) const {
 
 std::string coordinates(const Point<3>& p, const std::string& what) {
   if (!std::isfinite(p[0] + p[1] + p[2]))
-    throw Error("The position of " + what +
+    throw Error("The position of " + shown(what) +
                 " is not a finite number and was not written; check the registration.");
   return format("%.6f,%.6f,%.6f", p[0], p[1], p[2]);
 }

@@ -4,6 +4,7 @@
 
 #include "csv.h"
 #include "prosup/core/error.h"
+#include "prosup/core/text.h"
 #include "text_input.h"
 
 namespace prosup::evaluation {
@@ -25,7 +26,7 @@ std::vector<Landmark> parse_landmarks(const std::string& text, const std::string
     if (unloaded)
       landmark.unloaded = table.point(row, *unloaded);
     if (landmark.id.empty() || !ids.insert(landmark.id).second)
-      throw Error("In " + table.where(row) + ": the landmark id '" + landmark.id + "' is " +
+      throw Error("In " + table.where(row) + ": the landmark id '" + shown(landmark.id) + "' is " +
                   (landmark.id.empty() ? "empty" : "used twice") +
                   "; give each landmark an id of its own.");
     landmarks.push_back(std::move(landmark));

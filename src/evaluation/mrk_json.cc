@@ -4,6 +4,7 @@
 #include "coordinate_system.h"
 #include "prosup/core/error.h"
 #include "prosup/core/log.h"
+#include "prosup/core/text.h"
 #include "slicer_markups.h"
 #include "text_input.h"
 
@@ -46,7 +47,7 @@ public:
     read_units();
     const std::string type = text_at(json, "type", "Fiducial");
     if (type != "Fiducial" && !control_points().empty())
-      remarks.add("The file '" + name + "' has a markup of type '" + type +
+      remarks.add("The file '" + name + "' has a markup of type '" + shown(type) +
                   "', not only points; its control points were taken as points.");
   }
 
@@ -87,7 +88,7 @@ private:
     if (all_mm)
       return;
     const std::string text = units->is_string() ? units->get<std::string>() : units->dump();
-    throw Error("In file '" + name_ + "': the coordinates are in '" + text +
+    throw Error("In file '" + name_ + "': the coordinates are in '" + shown(text) +
                 "'; save the markups in mm.");
   }
 
@@ -106,7 +107,7 @@ private:
     point.id = text_at(json, "label", "");
     if (point.id.empty())
       point.id = text_at(json, "id", "");
-    const std::string where = "file '" + name_ + "', point '" + point.id + "'";
+    const std::string where = "file '" + name_ + "', point '" + shown(point.id) + "'";
     const auto position = json.find("position");
     const auto is_number = [](const Json& value) { return value.is_number(); };
     if (position == json.end() || !position->is_array() || position->size() != 3 ||

@@ -55,7 +55,7 @@ void say_repeated_ids(const std::vector<NamedPoint>& points, const std::string& 
   if (n_repeated > 0)
     remarks.add(format("In the file '%s', %zu of %zu points have the id of another one, such as "
                        "'%s'; all are used, in their order.",
-                       name.c_str(), n_repeated, points.size(), first.c_str()));
+                       name.c_str(), n_repeated, points.size(), shown(first).c_str()));
 }
 
 } // namespace
@@ -96,7 +96,8 @@ std::vector<NamedPoint> read_points(const std::filesystem::path& file) {
 }
 
 PointFormat output_format(const std::filesystem::path& file) {
-  return file.has_extension() ? point_format(file) : PointFormat::csv;
+  const std::string ending = lower_case(file.extension().string());
+  return ending.empty() || ending == ".txt" ? PointFormat::csv : point_format(file);
 }
 
 void write_points(const std::vector<NamedPoint>& points, const std::filesystem::path& file,
@@ -106,10 +107,6 @@ void write_points(const std::vector<NamedPoint>& points, const std::filesystem::
                   : format == PointFormat::fcsv ? fcsv_text(points)
                                                 : mrk_json_text(points),
                   file);
-}
-
-void write_points(const std::vector<NamedPoint>& points, const std::filesystem::path& file) {
-  write_points(points, file, output_format(file));
 }
 
 } // namespace prosup::evaluation

@@ -89,6 +89,7 @@ std::vector<Segment> parse_segments(const NrrdHeader& header, const std::string&
     std::string name = value_of(header, s, "Name");
     if (name.empty())
       name = value_of(header, s, "ID");
+    name = shown(name);
     const Segment segment{name, number_of(header, s, "LabelValue", 1, file),
                           number_of(header, s, "Layer", unsigned(own_layer), file)};
     if (segment.layer >= n_layers)

@@ -51,7 +51,7 @@ void LandmarkEvaluation::check_places(Position position, const image::LabelImage
     const Point<3>& x = position == Position::prone ? landmark.prone : landmark.supine;
     const Point<3> nearest = nearest_in(breast.grid, x);
     if (x.distance(nearest) + std::max(0.f, sampler.value(nearest)) > far_outside)
-      outside.push_back("'" + landmark.id + "'");
+      outside.push_back("'" + shown(landmark.id) + "'");
   }
   if (outside.empty())
     return;

@@ -51,7 +51,7 @@ void run_map(const MapRequest& request) {
     for (evaluation::NamedPoint& point : points) {
       const MappedPoint mapped = mapper.map(point.position, from);
       if (mapped.distance_outside > far_outside)
-        outside.push_back("'" + point.id + "'");
+        outside.push_back("'" + shown(point.id) + "'");
       point.position = mapped.position;
     }
   };

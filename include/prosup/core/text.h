@@ -33,6 +33,18 @@ inline std::string lower_case(std::string text) {
   return text;
 }
 
+/// A text from a file as part of a sentence: one line of at most `length` bytes.
+inline std::string shown(std::string text, std::size_t length = 80) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7F')
+      c = ' ';
+  if (text.size() <= length)
+    return text;
+  while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0u) == 0x80u)
+    --length; // not within a character of UTF-8
+  return text.substr(0, length) + "...";
+}
+
 inline bool ends_with(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }

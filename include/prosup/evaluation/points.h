@@ -46,16 +46,14 @@ std::vector<NamedPoint> parse_points(const std::string& text, PointFormat format
 /// The first line of points that are written as CSV.
 constexpr const char* points_header = "id,x,y,z";
 
-/// The format that the ending of an output gives; a name without one, such as /dev/stdout, means
-/// CSV. @throws Error if the ending is another one.
+/// The format of points that are written to `file`: as point_format(), or CSV if the name has no
+/// ending, such as /dev/stdout, or ends in .txt.
 PointFormat output_format(const std::filesystem::path& file);
 
 /// Writes points, LPS mm, to 1e-6 mm.
 /// @throws Error if a coordinate is not finite or the file cannot be written.
 void write_points(const std::vector<NamedPoint>& points, const std::filesystem::path& file,
-                  PointFormat format);
-/// The same in the format that output_format() gives.
-void write_points(const std::vector<NamedPoint>& points, const std::filesystem::path& file);
+                  PointFormat format = PointFormat::csv);
 
 } // namespace prosup::evaluation
 

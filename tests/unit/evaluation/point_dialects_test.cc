@@ -137,6 +137,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadText{"id,i,j,k\na,1,2,3\n", {"no column 'x'", "id, i, j, k"}},
         BadText{"# CoordinateSystem = IJK\nid,x,y,z\na,1,2,3\n", {"'IJK'", "LPS or RAS"}},
         BadText{"id,x,y,z\n\"a,1,2,3\nb,1,2,3\n", {"line 2", "quotation mark"}},
+        BadText{"\"a\nb\",x\n1\n", {"line 3", "(a b, x)"}},
         BadText{"x,y,z\n1,2,3\n", {"no column 'id'"}}, BadText{"", {"no points"}},
         BadText{"\xEF\xBB\xBF", {"no points"}}, BadText{"# only\n\n,,,\n", {"no points"}},
         BadText{"label,r,a,s,defined\na,0,0,0,0\n", {"no points"}}));
