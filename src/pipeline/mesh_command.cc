@@ -33,7 +33,7 @@ bool run_mesh(const AllParameters& parameters, const dealii::ParameterHandler& a
       given.require_labels(position);
       labels = parameters.registration.images.read_labels(given.files(), position, run.remarks());
       const registration::SceneCheck& checks = parameters.registration.checks;
-      checks.accept(checks.check_one(labels, position), run.remarks());
+      checks.check_one(labels, position).tell(run.remarks());
     });
   });
   run.stage("Meshing",

@@ -103,7 +103,7 @@ void SingleStateJob::check() {
     return;
   const registration::SceneCheck& checks = parameters_.registration.checks;
   const dealii::Tensor<1, 3>& gravity = parameters_.case_files.files().gravity[position_];
-  checks.accept(checks.check_one(scene_.labels[position_], position_, gravity), run_.remarks());
+  checks.check_one(scene_.labels[position_], position_, gravity).tell(run_.remarks());
 }
 
 void SingleStateJob::build() {

@@ -38,6 +38,11 @@ std::size_t SceneReport::n_errors() const {
   }));
 }
 
+void SceneReport::tell(Remarks& remarks) const {
+  for (const Finding& finding : findings)
+    remarks.add(finding.text);
+}
+
 SceneCheck::SceneCheck(const Labels& labels) : ParameterAcceptor("Checks"), labels_(labels) {}
 
 void SceneCheck::declare_parameters(ParameterHandler& prm) {
@@ -90,8 +95,7 @@ void SceneCheck::accept(const SceneReport& report, Remarks& remarks) const {
       text += format(" (%zu more finding%s: see prosup check)", n_more, n_more == 1 ? "" : "s");
     throw Error(text + "; 'Checks/Errors stop the run = false' goes on all the same.");
   }
-  for (const Finding& finding : report.findings)
-    remarks.add(finding.text);
+  report.tell(remarks);
 }
 
 } // namespace prosup::registration

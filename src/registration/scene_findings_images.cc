@@ -45,10 +45,10 @@ Maybe unfit_contrast(const PairMeasures& pair) {
   if (prone && supine) {
     const double a = prone->gland - prone->fat, b = supine->gland - supine->fat;
     if (a * b < 0. && std::abs(a) > clear_contrast && std::abs(b) > clear_contrast)
-      return error(format("Gland is %s than fat in the prone image and %s in the supine one, which "
-                          "differences of intensities (ssd) cannot compare; %s",
-                          a < 0. ? "darker" : "brighter", b < 0. ? "darker" : "brighter",
-                          advice.c_str()));
+      return warning(
+          format("Gland is %s than fat in the prone image and %s in the supine one, which "
+                 "a metric of differences cannot compare; %s",
+                 a < 0. ? "darker" : "brighter", b < 0. ? "darker" : "brighter", advice.c_str()));
   }
   if (pair.common_histogram < least_histogram)
     return warning(format("Only %.0f %% of the intensities in the two breasts agree, as if the "

@@ -29,7 +29,7 @@ Maybe unexplained_labels(const BreastMeasures& breast, const char* name, const L
   for (unsigned label = 1; label < breast.counts.size(); ++label)
     if (breast.counts[label] > 0 && label != meaning.chest && !is_tissue[label]) {
       numbers.push_back(std::to_string(label));
-      amounts.push_back(format("%u (%zu voxels, %.3g ml)", label, breast.counts[label],
+      amounts.push_back(format("label %u (%zu voxels, %.3g ml)", label, breast.counts[label],
                                breast.voxel_ml * double(breast.counts[label])));
     }
   if (numbers.empty())
@@ -40,9 +40,9 @@ Maybe unexplained_labels(const BreastMeasures& breast, const char* name, const L
     amounts.resize(n_labels_named);
     more = format(" and %zu more", n - n_labels_named);
   }
-  return warning("The " + std::string(name) + " labels hold " + joined(amounts) + more +
-                 ", which section Labels does not explain and which count as air; name what is "
-                 "part of the breast in 'Labels/Tissues', or take the rest for air.");
+  return warning("Section Labels does not explain " + joined(amounts) + more + " of the " + name +
+                 " labels, which therefore count as air; add what is part of the breast to "
+                 "'Labels/Tissues'.");
 }
 
 Maybe implausible_volume(const BreastMeasures& breast, const char* name) {
@@ -95,8 +95,9 @@ Maybe wrong_numbering(const BreastMeasures& breast, const char* name, const Labe
 
 Maybe missing_chest(const BreastMeasures& breast, const char* name) {
   if (!(breast.base_area > 0.))
-    return error(format("The tissue of the %s labels touches the chest nowhere; label the chest "
-                        "wall up to the tissue.",
+    return error(format("Nothing holds the tissue of the %s labels: it touches the chest nowhere, "
+                        "and 'Supports/Cut planes' cannot replace it; label the chest wall up to "
+                        "the tissue.",
                         name));
   if (breast.covered >= doubtful_covered)
     return {};

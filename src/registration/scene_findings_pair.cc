@@ -25,7 +25,7 @@ constexpr double least_volume = 0.8, most_volume = 1.25;
 constexpr double two_breasts = 1.5, other_volume = 2.5;
 constexpr double least_gland = 0.7, most_gland = 1.4;
 constexpr double clearly_better = 0.02; // sum of two correlations
-constexpr double veto = 1.05;           // factor of two informations
+constexpr double weight_of_chest = 0.1;
 
 using Maybe = std::optional<Finding>;
 
@@ -119,26 +119,33 @@ Maybe other_gland(const PerPosition<BreastMeasures>& breasts, const PairMeasures
                         breasts.prone.gland_ml, breasts.supine.gland_ml));
 }
 
-/// Whether the supine breast fits better if it is turned over. The chest wall has a veto, since it
-/// neither deforms nor moves.
+/// How much better than as it is the supine breast fits if it is turned over. The chest wall, which
+/// neither deforms nor moves, counts too.
+double gain(const PairMeasures& pair, double Turned::*way) {
+  const auto fit = [&](double Turned::*w) { return pair.fit.tissue.*w + pair.fit.gland.*w; };
+  const double of_chest =
+      pair.information.*way > 0. ? 1. - pair.information.as_is / (pair.information.*way) : 0.;
+  return fit(way) - fit(&Turned::as_is) + weight_of_chest * std::clamp(of_chest, -2., 1.);
+}
+
 Maybe mirrored(const PairMeasures& pair) {
   struct Way {
     double Turned::*way;
     const char* name;
   };
-  const auto fit = [&](double Turned::*way) { return pair.fit.tissue.*way + pair.fit.gland.*way; };
   Way best{&Turned::left_right, "mirrored left to right"};
   for (const Way& other : {Way{&Turned::head_foot, "mirrored head to foot"},
                            Way{&Turned::half_turn, "turned by 180 degrees"}})
-    if (fit(other.way) > fit(best.way))
+    if (gain(pair, other.way) > gain(pair, best.way))
       best = other;
-  const double as_is = fit(&Turned::as_is), turned = fit(best.way);
-  if (turned - as_is < clearly_better || pair.information.as_is > veto * pair.information.*best.way)
+  if (gain(pair, best.way) < clearly_better)
     return {};
-  return warning(format("Seen from the front, the supine breast fits the prone one better %s (the "
-                        "correlations of tissue and gland sum to %.2f instead of %.2f); check that "
-                        "both are the same side, and the orientations in the headers.",
-                        best.name, turned, as_is));
+  return warning(format("Seen from the front, the supine breast fits the prone one better if it is "
+                        "%s (correlations of tissue and gland %.2f and %.2f instead of %.2f and "
+                        "%.2f); check that both are the same side, and the orientations in the "
+                        "headers.",
+                        best.name, pair.fit.tissue.*best.way, pair.fit.gland.*best.way,
+                        pair.fit.tissue.as_is, pair.fit.gland.as_is));
 }
 
 } // namespace

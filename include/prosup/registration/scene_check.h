@@ -27,6 +27,7 @@ struct SceneReport {
   std::string measures; ///< a table for the reader, of a few lines
 
   std::size_t n_errors() const;
+  void tell(Remarks& remarks) const;
 };
 
 /// Checks labels, images and gravity of a case against each other before any simulation, on voxels
@@ -42,7 +43,8 @@ public:
   SceneReport check_pair(const Inputs& inputs, const PerPosition<dealii::Tensor<1, 3>>& gravity,
                          bool needs_same_contrast) const;
 
-  /// The breast of one position alone, for one rank; without gravity if it does not matter.
+  /// The breast of one position alone, for one rank; without gravity if it does not matter. There
+  /// is nothing to compare it with, so that its errors should not stop a run.
   SceneReport check_one(const image::LabelImage& labels, Position position,
                         const std::optional<dealii::Tensor<1, 3>>& gravity = {}) const;
 
