@@ -158,9 +158,9 @@ std::string error_table(const Summary& summary) {
 std::string verdict_text(const Summary& summary) {
   if (!summary.quality)
     return {};
-  std::string text = "Verdict: " + summary.quality->verdict + "\n";
+  std::string text = "Verdict: " + summary.quality->verdict;
   for (const std::string& reason : summary.quality->reasons)
-    text += "  - " + reason + "\n";
+    text += "\n  - " + reason;
   return text;
 }
 

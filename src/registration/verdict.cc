@@ -89,14 +89,24 @@ void judge_motion(const Quality& quality, Findings& findings) {
                         -motion.along_gravity));
 }
 
+/// The value of one of MaterialUpdateResult::at_bound.
+std::string value_of(const std::string& name, const MechanicalProperties& properties) {
+  if (name == "shear modulus")
+    return format("%.0f Pa", properties.tissue.shear_modulus);
+  if (name == "Poisson ratio")
+    return format("%.3f", properties.tissue.poisson_ratio);
+  if (name == "gland ratio")
+    return format("%.2f", properties.tissue.gland_ratio);
+  return format("%.1f Pa/mm", properties.chest_stiffness);
+}
+
 void judge_properties(const Quality& quality, Findings& findings) {
   const bool several = quality.at_bound.size() > 1;
   for (const std::string& name : quality.at_bound)
-    findings.add(
-        several ? Grade::failed : Grade::doubtful,
-        "The " + name +
-            " found from the images is at an end of its range, so that no plausible tissue "
-            "explains both shapes: check positions, gravity, labels and '--chest'.");
+    findings.add(several ? Grade::failed : Grade::doubtful,
+                 "The " + name + " found from the images, " + value_of(name, quality.properties) +
+                     ", is at an end of its range, so that no plausible tissue explains both "
+                     "shapes: check positions, gravity, labels and '--chest'.");
 }
 
 void judge_cells(const Quality& quality, Findings& findings) {

@@ -53,6 +53,13 @@ TEST_P(Register, TargetRegistrationErrorsAreTheStoredOnes) {
   }
 }
 
+TEST_P(Register, VerdictIsGood) {
+  EXPECT_EQ(summary().at("quality").at("verdict"), "good");
+  EXPECT_TRUE(summary().at("quality").at("reasons").empty());
+  EXPECT_NE(result().run.out.find("Verdict: good"), std::string::npos) << result().run.out;
+  EXPECT_GT(summary().at("quality").at("image_forces").at("breast_dice").get<double>(), 0.98);
+}
+
 TEST_P(Register, EachStageBringsTheLandmarksCloser) {
   for (unsigned row = 1; row < 4; ++row)
     EXPECT_LT(summary().at("tre").at(tre_rows[row]).at("mean").get<double>(),
@@ -175,6 +182,20 @@ TEST(RegisterAgain, FromItsUsedParametersGivesTheSame) {
                                      "--set", "Results/Pictures=false"});
   ASSERT_EQ(run.exit_code, 0) << run.transcript();
   EXPECT_EQ(read_json(again + "/summary.json").at("tre"), first.summary.at("tre"));
+}
+
+// Chests 20 mm apart along their axis, in which their surfaces fit as well as before: image forces
+// make the images alike, and all landmarks wrong.
+TEST(RegisterVerdict, FailsForASupineImageElsewhere) {
+  const TemporaryFolder folder;
+  const ProgramRun run = run_prosup({"register", PROSUP_PRM_FOLDER "/tests/small.prm", "--set",
+                                     "Case/Supine offset=0,0,20", "--output", folder / "result"});
+  EXPECT_EQ(run.exit_code, 3) << run.transcript();
+  EXPECT_NE(run.out.find("Verdict: failed"), std::string::npos) << run.out;
+  const Json quality = read_json(folder / "result/summary.json").at("quality");
+  EXPECT_EQ(quality.at("verdict"), "failed");
+  EXPECT_FALSE(quality.at("reasons").empty());
+  EXPECT_TRUE(std::filesystem::exists(folder / "result/prone_to_supine.nrrd"));
 }
 
 } // namespace

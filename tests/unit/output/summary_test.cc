@@ -121,7 +121,7 @@ TEST(Summary, HoldsTheAgreedEntries) {
 }
 
 TEST(Summary, SaysTheVerdictWithItsReasons) {
-  EXPECT_EQ(verdict_text(complete_summary()), "Verdict: doubtful\n  - Look here.\n");
+  EXPECT_EQ(verdict_text(complete_summary()), "Verdict: doubtful\n  - Look here.");
   EXPECT_EQ(verdict_text(Summary()), "");
 }
 
