@@ -65,11 +65,19 @@ void SingleStateJob::restart() {
   build();
   breast_->elements()->resume(state);
   is_done_ = checkpoint->number("run/is_done") > 0.;
+  steps_before_ = static_cast<unsigned>(checkpoint->number("run/steps"));
   if (!is_done_)
     return;
-  run_.summary().steps = static_cast<std::size_t>(checkpoint->number("run/steps"));
+  run_.summary().steps = steps_before_;
   run_.summary().converged = checkpoint->number("run/converged") > 0.;
   mesh_ = breast_->mesh();
+}
+
+unsigned SingleStateJob::steps_left() const {
+  if (steps_before_ == 0)
+    return 0;
+  const unsigned all = parameters_.model().unloading.max_steps;
+  return all > steps_before_ ? all - steps_before_ : 1;
 }
 
 /// Newton's method leaves the breast as it is, so that only its mesh is kept.
@@ -120,9 +128,14 @@ void SingleStateJob::simulate() {
   output::Summary& summary = run_.summary();
   registration::ElementBreast* elements = breast_->elements();
   if (parameters_.single_state.is_explicit() || elements == nullptr) {
+    if (elements != nullptr)
+      elements->unloading().set_keeper([&](unsigned n_steps) {
+        summary.steps = steps_before_ + n_steps;
+        keep(false);
+      });
     const settling::SettlingResult result = settle(*breast_);
     run_.log().line(describe(name_, result));
-    summary.steps = result.n_steps;
+    summary.steps = steps_before_ + result.n_steps;
     summary.converged = result.converged;
     mesh_ = breast_->mesh();
   } else {

@@ -57,6 +57,9 @@ protected:
   std::optional<image::ScalarImage> write_warped(const image::VectorImage& field,
                                                  const std::filesystem::path& file) const;
 
+  /// The steps that 'Unloading/Maximum steps' leaves to a run that goes on; 0 if it begins.
+  unsigned steps_left() const;
+
   const AllParameters& parameters_;
   const Position position_;
   const std::string name_; ///< of the position
@@ -81,7 +84,8 @@ private:
   Checkpoints checkpoints_;
   std::unique_ptr<GivenMesh> given_mesh_; // of a checkpoint
   std::unique_ptr<registration::Breast> breast_;
-  bool is_done_ = false; // by the run that the checkpoint is of
+  unsigned steps_before_ = 0; // of the run that the checkpoint is of
+  bool is_done_ = false;      // by that run
 };
 
 } // namespace prosup::pipeline

@@ -14,7 +14,9 @@ public:
       : SingleStateJob(parameters, all, output, world, "unload", "Unloading") {}
 
 private:
-  settling::SettlingResult settle(registration::Breast& breast) override { return breast.unload(); }
+  settling::SettlingResult settle(registration::Breast& breast) override {
+    return breast.unload(steps_left());
+  }
   registration::QuasiStaticSolution solve(registration::ElementBreast& breast,
                                           const registration::QuasiStaticInput& input) override {
     return unload_quasi_statically(breast, input);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace prosup::settling {
@@ -30,12 +31,9 @@ SettlingResult Settling::advance(unsigned n_steps) {
 }
 
 std::map<std::string, double> Settling::memory() const {
-  return {{"lag_factor", caution_.lag_factor},
-          {"step_safety", caution_.step_safety},
-          {"gravity_ramp", caution_.gravity_ramp},
-          {"update_interval", caution_.update_interval},
-          {"tolerance", caution_.tolerance},
-          {"has_settled", has_settled_ ? 1. : 0.}};
+  return {{"lag_factor", caution_.lag_factor},     {"step_safety", caution_.step_safety},
+          {"gravity_ramp", caution_.gravity_ramp}, {"update_interval", caution_.update_interval},
+          {"tolerance", caution_.tolerance},       {"has_settled", has_settled_ ? 1. : 0.}};
 }
 
 void Settling::set_memory(const std::map<std::string, double>& memory) {
@@ -87,6 +85,11 @@ SettlingResult Settling::simulate(unsigned max_steps, bool until_settled) {
     correct();
     if (n_corrections % caution_.update_interval == 0)
       simulation_.update_time_step(caution_.step_safety);
+    // A new call counts corrections from 0 again, which has to be the same for what is done at some
+    // of them.
+    if (keeper_ && until_settled && !is_searching_ && result.n_retries == 0 &&
+        n_corrections % std::lcm(caution_.update_interval, corrections_per_snapshot) == 0)
+      keeper_(result.n_steps);
   }
   if (until_settled && !result.converged && result.explanation.empty())
     end_unsettled(result);

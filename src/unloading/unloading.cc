@@ -34,6 +34,10 @@ void Unloading::set_observer(std::function<bool(unsigned)> observer) {
   simulation_->loop().set_observer(std::move(observer));
 }
 
+void Unloading::set_keeper(std::function<void(unsigned)> keeper) {
+  simulation_->loop().set_keeper(std::move(keeper));
+}
+
 SettlingResult Unloading::run(unsigned max_steps) {
   return simulation_->loop().run(max_steps);
 }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <sstream>
@@ -18,10 +19,11 @@ const std::filesystem::path& registered() {
 
 /// Positions that `prosup map` gives for `points`.
 std::vector<NamedPoint> map(const std::vector<NamedPoint>& points, const std::string& from,
-                            const std::string& to) {
+                            const std::string& to,
+                            const std::filesystem::path& result = registered()) {
   const TemporaryFolder folder;
   evaluation::write_points(points, folder / "in.csv");
-  const ProgramRun run = run_prosup({"map", "--result", registered(), "--from", from, "--to", to,
+  const ProgramRun run = run_prosup({"map", "--result", result, "--from", from, "--to", to,
                                      folder / "in.csv", "-o", folder / "out.csv"});
   EXPECT_EQ(run.exit_code, 0) << run.transcript();
   return evaluation::read_points(folder / "out.csv");
@@ -119,6 +121,37 @@ TEST(Map, ProneLandmarksLandNearTheirSupinePartners) {
     initial += start[i].position.distance(truth[i].position);
   }
   EXPECT_LT(error, 0.4 * initial);
+}
+
+// One file is enough, and so are the files of versions that wrote no HDF5. VTU and HDF5 hold the
+// same bits.
+TEST(Map, FromTheHdf5FileAloneAndFromVtuFilesIsTheSame) {
+  const TemporaryFolder folder;
+  std::filesystem::copy(registered() / "registration.h5", folder / "only.h5");
+  std::filesystem::create_directory(folder / "old");
+  for (const char* name : {"summary.json", "prone_loaded.vtu", "supine_loaded.vtu"})
+    std::filesystem::copy(registered() / name, folder / "old" / name);
+  const auto points = landmarks_in("prone");
+  const auto expected = map(points, "prone", "supine");
+  for (const std::filesystem::path& result : {folder / "only.h5", folder / "old"}) {
+    const auto found = map(points, "prone", "supine", result);
+    ASSERT_EQ(found.size(), expected.size()) << result;
+    for (std::size_t i = 0; i < found.size(); ++i)
+      EXPECT_EQ(found[i].position, expected[i].position) << result;
+  }
+}
+
+TEST(Map, FromADamagedHdf5FileIsRefused) {
+  const TemporaryFolder folder;
+  std::filesystem::copy(registered() / "registration.h5", folder / "bad.h5");
+  std::filesystem::resize_file(folder / "bad.h5", 10000);
+  evaluation::write_points(landmarks_in("prone"), folder / "in.csv");
+  const ProgramRun run =
+      run_prosup({"map", "--result", folder / "bad.h5", "--from", "prone", "--to", "supine",
+                  folder / "in.csv", "-o", folder / "out.csv"});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.err.find("bad.h5' is damaged"), std::string::npos) << run.err;
+  EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
 }
 
 TEST(Map, ToTheSameStateIsTheIdentity) {

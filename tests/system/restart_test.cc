@@ -6,9 +6,11 @@
 #include <chrono>
 #include <csignal>
 #include <fstream>
+#include <functional>
 #include <thread>
 
-#include "prosup/output/registration_file.h"
+#include "prosup/core/position.h"
+#include "prosup/output/vtu.h"
 #include "small_registration.h"
 
 namespace prosup::tests {
@@ -32,12 +34,18 @@ protected:
     return folder_ / ("out.checkpoint/" + name);
   }
 
-  /// Starts the run and kills it once it has said `word`, if it does not end before.
+  /// Starts the registration and kills it once it has said `word`.
   void run_until(const std::string& word) const {
+    run_until(arguments(),
+              [&] { return contents(folder_ / "log").find(word) != std::string::npos; });
+  }
+
+  /// Starts a run and kills it once it is `far_enough`.
+  void run_until(std::vector<std::string> words, const std::function<bool()>& far_enough) const {
     const std::string log = folder_ / "log";
+    text_file(log, "");
     const pid_t child = fork();
     if (child == 0) {
-      std::vector<std::string> words = arguments();
       std::vector<char*> argv{const_cast<char*>(PROSUP_PROGRAM)};
       for (std::string& argument : words)
         argv.push_back(argument.data());
@@ -48,15 +56,15 @@ protected:
     }
     int status = 0;
     bool has_ended = false;
-    while (!has_ended && contents(log).find(word) == std::string::npos) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    while (!has_ended && !far_enough()) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
       has_ended = waitpid(child, &status, WNOHANG) == child;
     }
     if (!has_ended) {
       kill(child, SIGKILL);
       waitpid(child, &status, 0);
     }
-    ASSERT_TRUE(WIFSIGNALED(status)) << "it was not killed before '" << word << "'";
+    ASSERT_TRUE(WIFSIGNALED(status)) << "it ended before it was killed";
     ASSERT_TRUE(fs::exists(checkpoint("a.h5")) || fs::exists(checkpoint("b.h5")));
   }
 
@@ -78,8 +86,8 @@ protected:
 double distance(const fs::path& a, const fs::path& b) {
   double largest = 0.;
   for (const Position position : both_positions) {
-    const auto first = output::read_registration(a / output::registration_h5, position),
-               second = output::read_registration(b / output::registration_h5, position);
+    const std::string name = std::string(name_of(position)) + "_loaded.vtu";
+    const auto first = output::read_mesh(a / name), second = output::read_mesh(b / name);
     EXPECT_EQ(first.mesh.cells, second.mesh.cells);
     EXPECT_EQ(first.unloaded.size(), second.unloaded.size());
     for (std::size_t i = 0; i < std::min(first.unloaded.size(), second.unloaded.size()); ++i)
@@ -138,6 +146,36 @@ TEST_F(Restart, WhatHasChangedIsNamed) {
   expect_refused({"--restart", "--landmarks", other}, "'Case/Landmarks'");
   const ProgramRun run = run_prosup(arguments({"--restart", "--prone-labels", copy}));
   EXPECT_EQ(run.exit_code, 0) << run.transcript();
+}
+
+// Within the only stage of unload, after 200 steps.
+TEST_F(Restart, AnUnloadingGoesOn) {
+  const std::vector<std::string> fine{"--state", "prone",
+                                      "--set",   "Meshing/Edge length=6",
+                                      "--set",   "Unloading/Position tolerance=1e-4"};
+  const auto unload = [&](const std::string& output, const std::vector<std::string>& more) {
+    std::vector<std::string> all{"unload",   PROSUP_PRM_FOLDER "/tests/small.prm",
+                                 "--output", output,
+                                 "--set",    "Checkpoint/Interval=0"};
+    all.insert(all.end(), fine.begin(), fine.end());
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  const ProgramRun whole = run_prosup(unload(folder_ / "whole", {}));
+  ASSERT_EQ(whole.exit_code, 0) << whole.transcript();
+  run_until(unload(output(), {}), [&] { return fs::exists(checkpoint("b.h5")); });
+  const ProgramRun run = run_prosup(unload(output(), {"--restart"}));
+  ASSERT_EQ(run.exit_code, 0) << run.transcript();
+  EXPECT_NE(run.out.find("goes on from"), std::string::npos) << run.out;
+  const auto read = [&](const std::string& folder) {
+    return output::read_mesh(fs::path(folder) / "prone_loaded.vtu").unloaded;
+  };
+  const auto a = read(folder_ / "whole"), b = read(output());
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i)
+    EXPECT_LT(a[i].distance(b[i]), 1e-3);
+  EXPECT_EQ(read_json(folder_ / "whole/summary.json").at("steps"),
+            read_json(output() + "/summary.json").at("steps"));
 }
 
 TEST_F(Restart, WithoutACheckpointItBegins) {

@@ -50,6 +50,11 @@ public:
   /// has to return the same on all ranks.
   void set_observer(std::function<bool(unsigned)> observer) { observer_ = std::move(observer); }
 
+  /// `keeper` is called with the number of steps so far in a call of run() that has needed no
+  /// retry, after every few corrections: a new call goes on from there with the same steps, in
+  /// another process too. The same on all ranks.
+  void set_keeper(std::function<void(unsigned)> keeper) { keeper_ = std::move(keeper); }
+
   const Caution& caution() const { return caution_; }
 
   /// What earlier calls have learnt, by name, for a simulation that goes on in another process.
@@ -82,6 +87,7 @@ private:
   const Description description_;
   const Log log_;
   std::function<bool(unsigned)> observer_;
+  std::function<void(unsigned)> keeper_;
   Caution caution_, caution_at_begin_;
   unsigned max_retries_;
   Snapshot first_, last_good_;

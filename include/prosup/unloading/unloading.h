@@ -69,6 +69,9 @@ public:
   /// As settling::Settling::set_observer.
   void set_observer(std::function<bool(unsigned n_steps)> observer);
 
+  /// As settling::Settling::set_keeper.
+  void set_keeper(std::function<void(unsigned n_steps)> keeper);
+
   /// Simulates until the tolerances are met, for at most `max_steps` steps if that is
   /// not 0, and never more than the parameter's. Recovers from divergence and
   /// stalls (docs/stability.md).

@@ -1,0 +1,37 @@
+#include "prosup/core/checksum.h"
+
+#include <gtest/gtest.h>
+
+#include "expect_error.h"
+#include "temporary_folder.h"
+#include "text_file.h"
+
+namespace prosup::tests {
+namespace {
+
+// The check value that all descriptions of this CRC give.
+TEST(Checksum, IsThatOfTheStandard) {
+  const TemporaryFolder folder;
+  const auto file = text_file(folder / "digits", "123456789");
+  EXPECT_EQ(checksum(file), 0xcbf43926u);
+  EXPECT_EQ(digest(file), "9:cbf43926");
+  EXPECT_EQ(checksum(text_file(folder / "more", "123456789 and more"), 9), 0xcbf43926u);
+  EXPECT_EQ(digest(text_file(folder / "empty", "")), "0:00000000");
+}
+
+TEST(Checksum, ReadsFilesOfSeveralBlocks) {
+  const TemporaryFolder folder;
+  std::string text(5000000, 'a');
+  const std::string before = digest(text_file(folder / "a", text));
+  text[4500000] = 'b';
+  EXPECT_NE(digest(text_file(folder / "a", text)), before);
+}
+
+TEST(Checksum, OfNothingAndOfAMissingFile) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(digest(""), "");
+  expect_error([&] { digest(folder / "missing"); }, {"missing", "cannot be read"});
+}
+
+} // namespace
+} // namespace prosup::tests
