@@ -11,42 +11,29 @@
 
 namespace prosup {
 
-namespace {
-
-struct Checked {
-  std::uint32_t sum;
-  std::uintmax_t n_bytes;
-};
-
-Checked check(const std::filesystem::path& file, std::uintmax_t n_bytes) {
+FileDigest digest_of(const std::filesystem::path& file, std::uintmax_t n_bytes) {
   std::ifstream stream(file, std::ios::binary);
-  std::vector<char> block(1 << 20);
-  Checked found{static_cast<std::uint32_t>(crc32(0, nullptr, 0)), 0};
-  while (stream && found.n_bytes < n_bytes) {
+  std::vector<char> block(1u << 20);
+  FileDigest found{0, static_cast<std::uint32_t>(crc32(0, nullptr, 0))};
+  while (stream && found.size < n_bytes) {
     stream.read(block.data(), static_cast<std::streamsize>(
-                                  std::min<std::uintmax_t>(block.size(), n_bytes - found.n_bytes)));
+                                  std::min<std::uintmax_t>(block.size(), n_bytes - found.size)));
     const auto n = static_cast<uInt>(stream.gcount());
-    found.sum = static_cast<std::uint32_t>(
-        crc32(found.sum, reinterpret_cast<const Bytef*>(block.data()), n));
-    found.n_bytes += n;
+    found.crc32 = static_cast<std::uint32_t>(
+        crc32(found.crc32, reinterpret_cast<const Bytef*>(block.data()), n));
+    found.size += n;
   }
-  if (!stream.is_open() || stream.bad())
+  if (!stream.is_open() || stream.bad() || (stream.fail() && !stream.eof()))
     throw Error("The file '" + file.string() +
                 "' cannot be read; check that it exists and may be read.");
   return found;
 }
 
-} // namespace
-
-std::uint32_t checksum(const std::filesystem::path& file, std::uintmax_t n_bytes) {
-  return check(file, n_bytes).sum;
-}
-
-std::string digest(const std::filesystem::path& file) {
+std::string digest_text(const std::filesystem::path& file) {
   if (file.empty())
     return "";
-  const Checked found = check(file, UINTMAX_MAX);
-  return format("%llu:%08x", static_cast<unsigned long long>(found.n_bytes), found.sum);
+  const FileDigest found = digest_of(file);
+  return format("%ju:%08x", found.size, found.crc32);
 }
 
 } // namespace prosup

@@ -6,7 +6,6 @@
 
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 
 #include "prosup/core/error.h"
 #include "prosup/core/log.h"
@@ -39,23 +38,6 @@ fs::path absolute_path(const fs::path& path) {
                 "' cannot be found because the current folder is gone; change to a folder that "
                 "exists or give a path that starts with '/'.");
   return result.lexically_normal();
-}
-
-FileDigest digest_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::vector<char> buffer(1u << 18);
-  FileDigest digest;
-  uLong sum = crc32(0, nullptr, 0);
-  while (stream.read(buffer.data(), static_cast<std::streamsize>(buffer.size())),
-         stream.gcount() > 0) {
-    sum = crc32(sum, reinterpret_cast<const Bytef*>(buffer.data()),
-                static_cast<uInt>(stream.gcount()));
-    digest.size += static_cast<std::uintmax_t>(stream.gcount());
-  }
-  if (!stream.eof())
-    throw Error("The file '" + file.string() + "' cannot be read; check its permissions.");
-  digest.crc32 = static_cast<std::uint32_t>(sum);
-  return digest;
 }
 
 void flush_to_disk(const fs::path& file) {

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "prosup/core/error.h"
+#include "prosup/core/file_system.h"
 #include "prosup/core/text_file.h"
 #include "prosup/core/version.h"
 

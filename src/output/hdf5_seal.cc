@@ -27,7 +27,7 @@ std::string seal_of(std::uint32_t sum) {
 } // namespace
 
 void seal(const fs::path& file) {
-  const std::string text = seal_of(checksum(file));
+  const std::string text = seal_of(digest_of(file).crc32);
   const int descriptor = open(file.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
   bool written = descriptor >= 0 &&
                  write(descriptor, text.data(), text.size()) == static_cast<ssize_t>(text.size()) &&
@@ -49,7 +49,7 @@ bool is_whole(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   stream.seekg(static_cast<std::streamoff>(size - seal_length));
   stream.read(text.data(), seal_length);
-  return stream && text == seal_of(checksum(file, size - seal_length));
+  return stream && text == seal_of(digest_of(file, size - seal_length).crc32);
 }
 
 void synchronize_folder(const fs::path& folder) {

@@ -70,7 +70,7 @@ const std::string& Checkpoints::inputs() {
       ParameterEntries digests;
       for (const auto& [name, value] : parameter_entries(all_))
         if (is_input_file(name))
-          digests[name] = value.empty() ? "none" : fs::exists(value) ? digest(value) : "missing";
+          digests[name] = value.empty() ? "none" : fs::exists(value) ? digest_text(value) : "missing";
       inputs_ = lines_of(digests);
     });
     inputs_ = Utilities::MPI::broadcast(world_, inputs_);

@@ -1,5 +1,7 @@
 #include "run_files.h"
 
+#include "prosup/output/registration_file.h"
+
 namespace prosup::pipeline {
 
 namespace fs = std::filesystem;
@@ -21,7 +23,8 @@ const Names& slices() {
 }
 
 Names of_register() {
-  Names names{"landmarks.csv", "convergence.csv", "convergence.svg"};
+  Names names{"landmarks.csv", "convergence.csv", "convergence.svg", output::registration_h5,
+              output::registration_xdmf};
   add(names, slices());
   for (const Position position : both_positions) {
     const std::string state = name_of(position), other_state = name_of(other(position));

@@ -7,13 +7,23 @@
 
 namespace prosup {
 
-/// CRC-32 (ISO 3309, that of zlib and gzip) of the first `n_bytes` of a file, or of all of it.
-/// @throws Error if the file cannot be read.
-std::uint32_t checksum(const std::filesystem::path& file, std::uintmax_t n_bytes = UINTMAX_MAX);
+/// Size and CRC-32 (ISO 3309, that of zlib and gzip) of a file: equal ones mean that nobody has
+/// changed it.
+struct FileDigest {
+  std::uintmax_t size = 0;
+  std::uint32_t crc32 = 0;
 
-/// What tells the contents of a file from others: size and CRC-32, "1234:89abcdef". Empty for an
-/// empty name. @throws Error if the file cannot be read.
-std::string digest(const std::filesystem::path& file);
+  bool operator==(const FileDigest& other) const {
+    return size == other.size && crc32 == other.crc32;
+  }
+};
+
+/// Of the first `n_bytes` of a file, or of all of it. @throws Error if the file cannot be read.
+FileDigest digest_of(const std::filesystem::path& file, std::uintmax_t n_bytes = UINTMAX_MAX);
+
+/// The digest of a whole file as text, "1234:89abcdef"; empty for an empty name.
+/// @throws Error if the file cannot be read.
+std::string digest_text(const std::filesystem::path& file);
 
 } // namespace prosup
 

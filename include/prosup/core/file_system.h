@@ -1,26 +1,12 @@
 #ifndef PROSUP_CORE_FILE_SYSTEM_H
 #define PROSUP_CORE_FILE_SYSTEM_H
 
-#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 // What std::filesystem lacks.
 namespace prosup {
-
-/// Size and checksum of a file: equal ones mean that nobody has changed it.
-struct FileDigest {
-  std::uintmax_t size = 0;
-  std::uint32_t crc32 = 0;
-
-  bool operator==(const FileDigest& other) const {
-    return size == other.size && crc32 == other.crc32;
-  }
-};
-
-/// @throws Error if the file cannot be read.
-FileDigest digest_of(const std::filesystem::path& file);
 
 /// Waits until a file is on the disk, which is where a full one shows at the latest.
 /// @throws Error if it is not.

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "prosup/core/file_system.h"
+#include "prosup/core/checksum.h"
 
 namespace prosup {
 

@@ -13,24 +13,24 @@ namespace {
 TEST(Checksum, IsThatOfTheStandard) {
   const TemporaryFolder folder;
   const auto file = text_file(folder / "digits", "123456789");
-  EXPECT_EQ(checksum(file), 0xcbf43926u);
-  EXPECT_EQ(digest(file), "9:cbf43926");
-  EXPECT_EQ(checksum(text_file(folder / "more", "123456789 and more"), 9), 0xcbf43926u);
-  EXPECT_EQ(digest(text_file(folder / "empty", "")), "0:00000000");
+  EXPECT_EQ(digest_of(file).crc32, 0xcbf43926u);
+  EXPECT_EQ(digest_text(file), "9:cbf43926");
+  EXPECT_EQ(digest_of(text_file(folder / "more", "123456789 and more"), 9).crc32, 0xcbf43926u);
+  EXPECT_EQ(digest_text(text_file(folder / "empty", "")), "0:00000000");
 }
 
 TEST(Checksum, ReadsFilesOfSeveralBlocks) {
   const TemporaryFolder folder;
   std::string text(5000000, 'a');
-  const std::string before = digest(text_file(folder / "a", text));
+  const std::string before = digest_text(text_file(folder / "a", text));
   text[4500000] = 'b';
-  EXPECT_NE(digest(text_file(folder / "a", text)), before);
+  EXPECT_NE(digest_text(text_file(folder / "a", text)), before);
 }
 
 TEST(Checksum, OfNothingAndOfAMissingFile) {
   const TemporaryFolder folder;
-  EXPECT_EQ(digest(""), "");
-  expect_error([&] { digest(folder / "missing"); }, {"missing", "cannot be read"});
+  EXPECT_EQ(digest_text(""), "");
+  expect_error([&] { digest_text(folder / "missing"); }, {"missing", "cannot be read"});
 }
 
 } // namespace
