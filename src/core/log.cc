@@ -45,6 +45,12 @@ void Log::line(const std::string& text) const {
   std::fflush(stdout);
 }
 
+void Log::warning(const std::string& sentence) const {
+  if (!speaks_)
+    return;
+  std::fprintf(stderr, "%sWarning: %s\n", on_terminal_ ? erase_line : "", sentence.c_str());
+}
+
 void Log::progress(const std::string& text) const {
   // What changes faster than it can be read only costs time.
   constexpr std::chrono::milliseconds shortest_interval(200);

@@ -56,9 +56,9 @@ ParameterEntries relevant(const ParameterHandler& all) {
 
 Checkpoints::Checkpoints(const std::string& command, const CheckpointParameters& parameters,
                          const ParameterHandler& all, const fs::path& output, MPI_Comm world,
-                         const Log& log)
+                         const Log& log, Remarks& remarks)
     : kind_("checkpoint of " + command), parameters_(parameters), all_(all), output_(output),
-      folder_(parameters.folder_for(output)), world_(world), log_(log) {}
+      folder_(parameters.folder_for(output)), world_(world), log_(log), remarks_(remarks) {}
 
 fs::path Checkpoints::file(unsigned slot) const {
   return folder_ / (slot == 0 ? "a.h5" : "b.h5");
@@ -70,7 +70,9 @@ const std::string& Checkpoints::inputs() {
       ParameterEntries digests;
       for (const auto& [name, value] : parameter_entries(all_))
         if (is_input_file(name))
-          digests[name] = value.empty() ? "none" : fs::exists(value) ? digest_text(value) : "missing";
+          digests[name] = value.empty()       ? "none"
+                          : fs::exists(value) ? digest_text(value)
+                                              : "missing";
       inputs_ = lines_of(digests);
     });
     inputs_ = Utilities::MPI::broadcast(world_, inputs_);
@@ -156,10 +158,8 @@ void Checkpoints::keep(const std::function<void(output::Hdf5Writer&)>& contents)
   try {
     write(contents);
   } catch (const Error& error) {
-    if (warning_.empty()) {
-      warning_ = std::string("No checkpoint was written: ") + error.what();
-      log_.line("Warning: " + warning_);
-    }
+    if (Utilities::MPI::this_mpi_process(world_) == 0)
+      remarks_.add(std::string("No checkpoint was written: ") + error.what());
   }
   last_ = Clock::now();
 }

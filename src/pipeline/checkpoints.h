@@ -12,6 +12,7 @@
 #include <string>
 
 #include "prosup/core/log.h"
+#include "prosup/core/remarks.h"
 #include "prosup/output/hdf5_file.h"
 #include "prosup/pipeline/checkpoint_parameters.h"
 
@@ -22,10 +23,11 @@ namespace prosup::pipeline {
 class Checkpoints {
 public:
   /// Of the command and its run into `output` with these parameters. The contents of the files that
-  /// the section Case names belong to it. Keeps references to parameters and log.
+  /// the section Case names belong to it. Keeps references to parameters, log and
+  /// remarks.
   Checkpoints(const std::string& command, const CheckpointParameters& parameters,
               const dealii::ParameterHandler& all, const std::filesystem::path& output,
-              MPI_Comm world, const Log& log);
+              MPI_Comm world, const Log& log, Remarks& remarks);
 
   /// The newest whole checkpoint if the run is to go on from there; says which, or that it begins.
   /// To be asked for before the first write().
@@ -33,12 +35,9 @@ public:
   /// has ended well.
   std::unique_ptr<output::Hdf5Reader> restart();
 
-  /// Writes one if it is time: `contents` adds what the command needs. A failure does not end the
-  /// run.
+  /// Writes one if it is time: `contents` adds what the command needs. A failure is a remark and
+  /// does not end the run.
   void keep(const std::function<void(output::Hdf5Writer&)>& contents);
-  /// What keep() could not do; empty if nothing. On rank 0.
-  const std::string& warning() const { return warning_; }
-
   /// Removes them: the run has ended well.
   void remove();
 
@@ -57,11 +56,11 @@ private:
   const std::filesystem::path output_, folder_;
   MPI_Comm world_;
   const Log& log_;
+  Remarks& remarks_;
   std::string inputs_; // digests, once they were asked for
   Clock::time_point last_ = Clock::now();
   unsigned sequence_ = 0; // of the last one
   unsigned slot_ = 0;     // of the next one
-  std::string warning_;
 };
 
 } // namespace prosup::pipeline

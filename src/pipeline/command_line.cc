@@ -52,7 +52,8 @@ int report_and_end_all(const std::exception& exception, MPI_Comm world) {
 /// What --help says of the exit code.
 constexpr const char* exit_codes =
     "Exit codes: 0 success; 1 wrong input, or no memory or space on the disk: nothing was written; "
-    "2 results were written, but a simulation did not settle (unload, load); 3 results were written, "
+    "2 results were written, but a simulation did not settle (unload, load); 3 results were "
+    "written, "
     "but the verdict on the registration is that it failed (register); 128 + N ended by signal N: "
     "nothing was written. One line on standard error says why.";
 

@@ -13,14 +13,12 @@ using namespace evaluation;
 namespace {
 
 std::vector<LandmarkObserver> read_observers(const LandmarkRequest& request) {
-  Remarks remarks;
+  Remarks remarks{Log(MPI_COMM_SELF)};
   std::vector<LandmarkObserver> observers;
   for (const std::filesystem::path& file : request.observers)
     observers.push_back(read_observer(file, remarks));
   if (!request.control.empty())
     observers.push_back(read_control_observer(request.control, observers[0], remarks));
-  for (const std::string& remark : remarks.all())
-    std::fprintf(stderr, "Warning: %s\n", remark.c_str());
   // Files of one name in different folders must stay apart in the tables.
   for (std::size_t o = 0; o < observers.size(); ++o)
     for (std::size_t other = 0; other < o; ++other)

@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <cstdio>
 
 #include "prosup/core/output_file.h"
+#include "prosup/core/remarks.h"
 #include "prosup/core/text.h"
 #include "prosup/evaluation/point_mapper.h"
 #include "prosup/evaluation/points.h"
@@ -19,17 +19,16 @@ namespace {
 constexpr double far_outside = 2.; // mm: more than the mesh's own error at the skin
 
 /// Says which points lay outside, once for each that did.
-void say_outside(const std::vector<std::string>& ids) {
+void say_outside(const std::vector<std::string>& ids, Remarks& remarks) {
   if (ids.empty())
     return;
   constexpr std::size_t n_named = 5;
   const std::vector<std::string> first(ids.begin(),
                                        ids.begin() + long(std::min(ids.size(), n_named)));
-  std::fprintf(
-      stderr,
-      "Warning: %zu times a point lay more than %g mm outside the mesh (%s%s); it was moved "
-      "with the closest point of the mesh.\n",
-      ids.size(), far_outside, joined(first).c_str(), ids.size() > n_named ? " and others" : "");
+  remarks.add(format("%zu times a point lay more than %g mm outside the mesh (%s%s); it was moved "
+                     "with the closest point of the mesh.",
+                     ids.size(), far_outside, joined(first).c_str(),
+                     ids.size() > n_named ? " and others" : ""));
 }
 
 } // namespace
@@ -38,14 +37,10 @@ void run_map(const MapRequest& request) {
   require_finished(request.result);
   const evaluation::PointFormat format = evaluation::output_format(request.output);
   const bool is_csv = format == evaluation::PointFormat::csv;
-  OutputFile output(request.output, {{request.points},
-                                     request.overwrite,
-                                     is_csv ? evaluation::points_header : ""});
-  Remarks remarks;
+  OutputFile output(request.output,
+                    {{request.points}, request.overwrite, is_csv ? evaluation::points_header : ""});
+  Remarks remarks{Log(MPI_COMM_SELF)}; // standard output may be where the points go
   std::vector<evaluation::NamedPoint> points = evaluation::read_points(request.points, remarks);
-  // Not on standard output, where the points may go.
-  for (const std::string& remark : remarks.all())
-    std::fprintf(stderr, "Warning: %s\n", remark.c_str());
   std::vector<std::string> outside;
   const auto apply = [&](const PointMapper& mapper, evaluation::Configuration from) {
     for (evaluation::NamedPoint& point : points) {
@@ -59,7 +54,7 @@ void run_map(const MapRequest& request) {
     apply(read_mapper(request.result, request.from), evaluation::Configuration::loaded);
   if (request.to != "unloaded" && request.from != request.to)
     apply(read_mapper(request.result, request.to), evaluation::Configuration::unloaded);
-  say_outside(outside);
+  say_outside(outside, remarks);
   evaluation::write_points(points, output.path(), format);
   output.commit();
 }

@@ -73,8 +73,8 @@ RegisterPipeline::RegisterPipeline(const CaseParameters& case_files,
   registration_.set_observer(
       [this](const registration::SimilarityRecord& record) { observe(record); });
   if (registration_.has_state())
-    checkpoints_ =
-        std::make_unique<Checkpoints>("register", checkpoint, all, output.folder, world, run_.log());
+    checkpoints_ = std::make_unique<Checkpoints>("register", checkpoint, all, output.folder, world,
+                                                 run_.log(), run_.remarks());
   else if (checkpoint.restart)
     throw Error("Finite differences leave no checkpoints; run without --restart.");
   registration_.set_keeper([this] { keep(); });
@@ -243,8 +243,6 @@ void RegisterPipeline::write_on_root() {
   }
   output::write_registration(found_.meshes, named(found_.properties), folder);
   judge();
-  if (checkpoints_ && !checkpoints_->warning().empty())
-    run_.remarks().add(checkpoints_->warning());
   landmarks_.write(folder / "landmarks.csv");
   output::write_convergence(convergence_, folder / "convergence.csv");
   if (results_.pictures)

@@ -29,7 +29,8 @@ SingleStateJob::SingleStateJob(const AllParameters& parameters, const dealii::Pa
     : parameters_(parameters), position_(parameters.case_files.position()),
       name_(name_of(position_)), world_(world), simulation_(std::move(simulation)),
       run_(command, all, output, world),
-      checkpoints_(command, parameters.checkpoint, all, output.folder, world, run_.log()) {
+      checkpoints_(command, parameters.checkpoint, all, output.folder, world, run_.log(),
+                   run_.remarks()) {
   if (parameters.checkpoint.restart && parameters.model().simulation.method != "fe")
     throw Error("Finite differences leave no checkpoints; run without --restart.");
   scene_.chest_label = parameters.registration.labels.chest;

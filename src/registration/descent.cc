@@ -14,9 +14,8 @@ public:
   Descent(const ImageForceRegistration& parameters, BreastPair& pair, const Log& log,
           const Observer& observer, ImageForceProgress& progress, const Keeper& keep)
       : parameters_(parameters), pair_(pair), log_(log), observer_(observer), progress_(progress),
-        keep_(keep),
-        energy_(pair, {parameters.smallest_jacobian_, parameters.largest_jacobian_},
-                progress.start) {
+        keep_(keep), energy_(pair, {parameters.smallest_jacobian_, parameters.largest_jacobian_},
+                             progress.start) {
     progress_.start = energy_.start();
   }
 

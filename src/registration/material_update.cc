@@ -109,8 +109,7 @@ void MaterialUpdate::run(BreastPair& pair, const ComparedImages& images, const L
     progress.derivatives.clear();
     keep();
   }
-  progress.result.at_bound =
-      properties_at_bound(properties_, pair.properties(), pair.has_gland());
+  progress.result.at_bound = properties_at_bound(properties_, pair.properties(), pair.has_gland());
 }
 
 } // namespace prosup::registration

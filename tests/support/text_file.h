@@ -20,6 +20,16 @@ inline std::string contents(const std::filesystem::path& file) {
   return text.str();
 }
 
+/// The lines of standard error that are no warnings.
+inline std::string without_warnings(const std::string& text) {
+  std::string rest;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);)
+    if (line.rfind("Warning: ", 0) != 0)
+      rest += line + "\n";
+  return rest;
+}
+
 } // namespace prosup::tests
 
 #endif

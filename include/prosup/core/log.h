@@ -21,6 +21,9 @@ public:
   /// Prints `text` and a newline to standard output.
   void line(const std::string& text) const;
 
+  /// Prints "Warning: ", `sentence` and a newline to standard error.
+  void warning(const std::string& sentence) const;
+
   /// Replaces the live line by `text`.
   void progress(const std::string& text) const;
 

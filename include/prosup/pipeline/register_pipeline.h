@@ -31,8 +31,7 @@ public:
   RegisterPipeline(const CaseParameters& case_files,
                    const registration::RegistrationParameters& parameters,
                    const ResultParameters& results, const CheckpointParameters& checkpoint,
-                   const dealii::ParameterHandler& all, const ResultTarget& output,
-                   MPI_Comm world);
+                   const dealii::ParameterHandler& all, const ResultTarget& output, MPI_Comm world);
   ~RegisterPipeline();
 
   /// @returns whether the verdict on the registration is not that it failed. The result folder is
@@ -71,7 +70,7 @@ private:
   registration::RegistrationResult found_;
   std::vector<output::ConvergenceEntry> convergence_;
   registration::Quality quality_;
-  Outcome outcome_ = Outcome::success; // on rank 0
+  Outcome outcome_ = Outcome::success;       // on rank 0
   std::unique_ptr<Checkpoints> checkpoints_; // null if the registration cannot be kept
 };
 

@@ -38,7 +38,7 @@ private:
 
 struct CommandResult {
   int exit_code;
-  std::string err;
+  std::string err; ///< without warnings
 };
 
 /// Runs a command line of prosup in this process, which saves the time to start one; `folder` is
@@ -56,7 +56,7 @@ inline CommandResult run_in_process(std::vector<std::string> arguments,
     result.exit_code =
         pipeline::run_command_line(int(arguments.size()), argv.data(), MPI_COMM_WORLD);
   }
-  result.err = contents(folder / "err");
+  result.err = without_warnings(contents(folder / "err"));
   return result;
 }
 
