@@ -12,6 +12,7 @@
 #include <string>
 
 #include "prosup/core/error.h"
+#include "prosup/core/remarks.h"
 
 namespace prosup::tests {
 
@@ -35,6 +36,12 @@ void parse_or_refuse(const Parse& parse) {
   } catch (const Error& error) {
     require_sentence(error.what());
   }
+}
+
+/// The same of all that was said.
+inline void require_sentences(const Remarks& remarks) {
+  for (const std::string& remark : remarks.all())
+    require_sentence(remark);
 }
 
 /// A file with the bytes of the input, for parsers that read files; one for each name.
