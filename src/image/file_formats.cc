@@ -50,6 +50,20 @@ FileFormat format_of(const std::filesystem::path& file) {
                      known_formats));
 }
 
+std::filesystem::path file_with_header(const std::filesystem::path& file) {
+  std::filesystem::path header = file;
+  if (header.extension() == ".gz")
+    header.replace_extension();
+  if (header.extension() != ".img")
+    return file;
+  header.replace_extension(".hdr");
+  for (const char* ending : {"", ".gz"})
+    if (const std::filesystem::path candidate = header.string() + ending;
+        std::filesystem::is_regular_file(candidate))
+      return candidate;
+  return file;
+}
+
 itk::ImageIOBase::Pointer nrrd_format() {
   return itk::NrrdImageIO::New().GetPointer();
 }

@@ -17,6 +17,10 @@ enum class FileFormat { nifti, nrrd, meta_image };
 /// @throws Error if the file is missing or of no known format.
 FileFormat format_of(const std::filesystem::path& file);
 
+/// The file to begin with: the header if `file` is the other half of a pair (.hdr, .img), or
+/// `file`.
+std::filesystem::path file_with_header(const std::filesystem::path& file);
+
 /// The reader and writer of NRRD.
 itk::ImageIOBase::Pointer nrrd_format();
 

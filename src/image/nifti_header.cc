@@ -40,31 +40,6 @@ struct Fields {
   bool swapped;
 };
 
-std::array<std::int64_t, 8> checked_dimensions(const std::array<std::int64_t, 8>& dim,
-                                               const NiftiTeller& say) {
-  std::array<std::int64_t, 8> n{};
-  n.fill(1);
-  if (dim[0] < 1 || dim[0] > 7)
-    say.refuse(format("says that it has %lld dimensions, where 1 to 7 are possible",
-                      static_cast<long long>(dim[0])));
-  for (int d = 1; d <= dim[0]; ++d) {
-    const auto axis = static_cast<std::size_t>(d);
-    if (dim[axis] < 1 && d <= 3)
-      say.refuse(format("says that there are %lld voxels along axis %d, which must be positive",
-                        static_cast<long long>(dim[axis]), d));
-    n[axis] = std::max<std::int64_t>(dim[axis], 1);
-  }
-  if (dim[0] < 3)
-    throw Error(format("'%s' has %d dimension%s, but a three-dimensional image is needed; convert "
-                       "it to one volume.",
-                       say.file.c_str(), int(dim[0]), dim[0] == 1 ? "" : "s"));
-  if (n[4] > 1)
-    throw Error(format("'%s' has 4 dimensions, with %lld volumes one after the other, but a "
-                       "three-dimensional image is needed; extract the volume that is meant.",
-                       say.file.c_str(), static_cast<long long>(n[4])));
-  return n;
-}
-
 void set_offset(double offset, std::size_t length, NiftiHeader& header, const NiftiTeller& say) {
   constexpr double largest = 9e15; // up to which double holds integers
   if (!(offset >= 0.) || offset > largest || offset != std::floor(offset))

@@ -1,6 +1,8 @@
 #ifndef PROSUP_SRC_IMAGE_NIFTI_VALUES_H
 #define PROSUP_SRC_IMAGE_NIFTI_VALUES_H
 
+#include <array>
+#include <cstdint>
 #include <string>
 
 #include "prosup/core/error.h"
@@ -23,6 +25,11 @@ struct NiftiTeller {
     remarks.add("The NIfTI header of '" + file + "' " + what + ".");
   }
 };
+
+/// The field dim with 1 for all axes that are not in use.
+/// @throws Error unless it is that of one volume of three dimensions.
+std::array<std::int64_t, 8> checked_dimensions(const std::array<std::int64_t, 8>& dim,
+                                               const NiftiTeller& say);
 
 /// Sets type and number of components from the fields datatype and bitpix.
 /// @throws Error if prosup does not read such numbers.

@@ -86,9 +86,10 @@ auto in_words(const fs::path& file, const Work& work) {
 }
 
 /// Values, and the difference between those that are stored as neighbouring integers.
-std::pair<ScalarImage, double> read_scalars(const fs::path& file, Remarks& remarks,
+std::pair<ScalarImage, double> read_scalars(const fs::path& given, Remarks& remarks,
                                             NiftiTransform transform) {
-  return in_words(file, [&] {
+  return in_words(given, [&] {
+    const fs::path file = file_with_header(given);
     std::pair<ScalarImage, double> result;
     const FileFormat format = format_of(file);
     if (format == FileFormat::nrrd) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <random>
@@ -270,7 +271,7 @@ TEST_F(NiftiValues, AreLabelsIfIntegersWereMeant) {
   const float slope = 3.f / 65535.f;
   std::vector<std::int16_t> stored(24);
   for (std::size_t v = 0; v < 24; ++v)
-    stored[v] = static_cast<std::int16_t>(std::lround((double(v % 4) - 1.5) / double(slope)));
+    stored[v] = static_cast<std::int16_t>(std::floor((double(v % 4) - 1.5) / double(slope)));
   auto bytes = NiftiBytes().put<float>(field::scl_slope, {slope, 1.5f});
   write_bytes(bytes.voxels(4, stored).all(), file_);
   const LabelImage labels = read_labels(file_, remarks_);
