@@ -16,6 +16,8 @@ namespace prosup {
 
 namespace {
 
+/// What mpirun, or a queue, tells its processes.
+constexpr const char* rank_variables[] = {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"};
 constexpr long most_threads = 65536; // more are no wish but a mistake
 
 /// Value of the variable in "NAME=value"; null if it has another name.
@@ -34,7 +36,7 @@ const char* find(char** variables, const char* name) {
 }
 
 bool is_first_rank(char** variables) {
-  for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"})
+  for (const char* name : rank_variables)
     if (const char* rank = find(variables, name))
       return std::strcmp(rank, "0") == 0;
   return true;
@@ -105,6 +107,13 @@ __attribute__((section(".preinit_array"), used)) void (*const at_start)(int, cha
 
 bool is_first_rank() {
   return is_first_rank(environ);
+}
+
+void start_without_daemon() {
+  for (const char* name : rank_variables)
+    if (std::getenv(name) != nullptr)
+      return;
+  setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
 }
 
 } // namespace prosup

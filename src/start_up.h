@@ -7,6 +7,11 @@ namespace prosup {
 /// before MPI is.
 bool is_first_rank();
 
+/// Keeps Open MPI from starting a daemon for a process that mpirun has not started: it would be for
+/// starting further processes, and needs files, memory and a folder of its own. For before
+/// MPI_Init().
+void start_without_daemon();
+
 } // namespace prosup
 
 #endif
