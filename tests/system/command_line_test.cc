@@ -50,6 +50,7 @@ TEST(Help, OfACommandListsWhatItTakesAndNothingElse) {
       "--prone-gravity", "--chest",        "--method",       "--similarity",    "--state"};
   const std::map<std::string, std::set<std::string>> not_taken{
       {"register", {"--state"}},
+      {"check", {"--state"}},
       {"unload", {"--similarity"}},
       {"load", {"--similarity", "--landmarks"}},
       {"mesh",
@@ -62,6 +63,10 @@ TEST(Help, OfACommandListsWhatItTakesAndNothingElse) {
       EXPECT_EQ(help.find(option) != std::string::npos, absent.count(option) == 0)
           << option << " in " << help;
   }
+}
+
+TEST(Help, OfTheCheckTakesNoFolderForResults) {
+  EXPECT_EQ(run_prosup({"check", "--help"}).out.find("--output"), std::string::npos);
 }
 
 TEST(Help, TellsDefaultsAndChoices) {

@@ -159,8 +159,8 @@ TEST(SceneCheck, MirroredBreast) {
 
 TEST(SceneCheck, VolumeAndWidth) {
   Case spoilt;
-  spoilt.supine = HalfEllipsoid{30., 50.}.labels();
-  expect_warning(spoilt, "a ratio of 2");
+  spoilt.supine = HalfEllipsoid{36., 55.}.labels();
+  expect_warning(spoilt, "a ratio of");
   HalfEllipsoid second = lying;
   second.centre = 160.;
   spoilt.supine = HalfEllipsoid{36., 76., 0., 1, 2, 3, 240.}.labels();
@@ -192,9 +192,11 @@ TEST(SceneCheck, UnexplainedLabel) {
 TEST(SceneCheck, OtherNumbering) {
   Case spoilt;
   HalfEllipsoid other = hanging;
+  other.radius = 150.; // up to the border of the image
   other.chest = 3, other.fat = 1, other.gland = 2;
   spoilt.prone = other.labels();
   expect_error_finding(spoilt, "'Labels/Chest = 1'");
+  other.radius = hanging.radius;
   other.chest = 3, other.fat = 2, other.gland = 1;
   spoilt.prone = other.labels();
   expect_error_finding(spoilt, "enclosed by tissue");
