@@ -163,7 +163,7 @@ void RegisterPipeline::unload() {
     note(results[position].n_steps);
     run_.log().line(describe(name_of(position), results[position]));
   }
-  quality_.unloaded = registration_.agreement();
+  quality_.unloaded = registration_.agreement(false);
   evaluate(run_.summary().tre.unloaded);
 }
 
@@ -172,7 +172,7 @@ void RegisterPipeline::match_properties() {
   note(found.n_steps);
   quality_.at_bound = found.at_bound;
   note_properties();
-  quality_.material = registration_.agreement();
+  quality_.material = registration_.agreement(false);
   evaluate(run_.summary().tre.material);
 }
 

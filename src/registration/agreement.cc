@@ -45,7 +45,7 @@ struct UnloadedVoxels {
   PerPosition<LabelImage> all, shown; // masks of the breasts, and of their part that counts
   PerPosition<std::vector<float>> gland, intensity;
 
-  UnloadedVoxels(const BreastPair& pair, const ComparedImages& compared) {
+  UnloadedVoxels(const BreastPair& pair, const ComparedImages& compared, bool with_intensities) {
     const SimilarityDomain domain = domain_of(pair, compared);
     grid = domain.grid;
     const std::size_t n = grid.n_voxels();
@@ -53,16 +53,18 @@ struct UnloadedVoxels {
     for (const Position position : both_positions)
       covers[position] = gland[position] = intensity[position] = std::vector<float>(n, 0.f);
     pair.for_each([&](Position position, Breast& breast) {
-      const Samples& samples =
-          breast.sample(domain, image::gaussian_smooth(compared.images[position], 0.5 * edge));
-      for (std::size_t i = 0; i < samples.voxels.size(); ++i) {
-        covers[position][samples.voxels[i]] = samples.covers[i];
-        intensity[position][samples.voxels[i]] = samples.values[i];
-      }
       const Samples& tissues = breast.sample(
           domain, gland_image(compared.scene.labels[position], compared.scene.gland_label));
-      for (std::size_t i = 0; i < tissues.voxels.size(); ++i)
+      for (std::size_t i = 0; i < tissues.voxels.size(); ++i) {
+        covers[position][tissues.voxels[i]] = tissues.covers[i];
         gland[position][tissues.voxels[i]] = tissues.values[i];
+      }
+      if (!with_intensities)
+        return;
+      const Samples& samples =
+          breast.sample(domain, image::gaussian_smooth(compared.images[position], 0.5 * edge));
+      for (std::size_t i = 0; i < samples.voxels.size(); ++i)
+        intensity[position][samples.voxels[i]] = samples.values[i];
     });
     for (const Position position : both_positions) {
       // Each voxel of a position belongs to one rank.
@@ -165,26 +167,29 @@ void measure_intensities(const UnloadedVoxels& voxels, Agreement& result) {
     pair.in_domain[v] = voxels.both(v);
     volume += voxels.both(v) * voxels.grid.voxel_volume();
   }
-  result.correlation = pearson(voxels);
+  Agreement::Intensities& intensities = result.intensities.emplace();
   if (!(volume > 0.))
     return;
+  intensities.correlation = pearson(voxels);
   using similarity::LocalCorrelation;
   using similarity::NormalisedMutualInformation;
   similarity::VoxelDerivatives unused;
-  result.local_correlation =
+  intensities.local_correlation =
       1. - LocalCorrelation().evaluate(pair, unused) / (0.5 * LocalCorrelation::scale * volume);
-  result.mutual_information = 1. - NormalisedMutualInformation().evaluate(pair, unused) /
-                                       (NormalisedMutualInformation::scale * volume);
+  intensities.mutual_information = 1. - NormalisedMutualInformation().evaluate(pair, unused) /
+                                            (NormalisedMutualInformation::scale * volume);
 }
 
 } // namespace
 
-Agreement measure_agreement(const BreastPair& pair, const ComparedImages& compared) {
-  const UnloadedVoxels voxels(pair, compared);
+Agreement measure_agreement(const BreastPair& pair, const ComparedImages& compared,
+                            bool with_intensities) {
+  const UnloadedVoxels voxels(pair, compared, with_intensities);
   Agreement result;
   measure_overlap(voxels, result);
   measure_outlines(voxels, result);
-  measure_intensities(voxels, result);
+  if (with_intensities)
+    measure_intensities(voxels, result);
   return result;
 }
 

@@ -16,9 +16,14 @@ void add(const std::string& stage, const std::optional<Agreement>& agreement, Fi
        {std::pair("compared_share", a.compared_share), std::pair("volume_ratio", a.volume_ratio),
         std::pair("breast_dice", a.breast_dice), std::pair("gland_dice", a.gland_dice),
         std::pair("skin_distance", a.skin_distance), std::pair("skin_p95", a.skin_p95),
-        std::pair("outside_share", a.outside_share), std::pair("correlation", a.correlation),
-        std::pair("local_correlation", a.local_correlation),
-        std::pair("mutual_information", a.mutual_information)})
+        std::pair("outside_share", a.outside_share)})
+    figures.emplace_back(stage + "." + name, value);
+  if (!a.intensities)
+    return;
+  for (const auto& [name, value] :
+       {std::pair("correlation", a.intensities->correlation),
+        std::pair("local_correlation", a.intensities->local_correlation),
+        std::pair("mutual_information", a.intensities->mutual_information)})
     figures.emplace_back(stage + "." + name, value);
 }
 

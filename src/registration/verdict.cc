@@ -20,7 +20,7 @@ constexpr double never = 1e30;
 constexpr Limits chest_median{2., 10.};      // mm
 constexpr Limits not_shared{0.3, 0.7};       // part of the chest or breast that one image lacks
 constexpr Limits outlines{0.03, 0.10};       // 1 - Dice of the breasts at the end
-constexpr Limits found_outlines{0.05, 0.15}; // the same before image forces
+constexpr Limits found_outlines{0.05, 0.25}; // the same before image forces
 constexpr Limits gland{0.2, 0.5};            // 1 - Dice of the gland at the end
 constexpr Limits volumes{1.1, 1.3};          // larger breast to smaller one
 constexpr Limits outside{0.002, 0.1};        // part of a breast far out of the other one
@@ -159,12 +159,12 @@ void judge_end(const Quality& quality, const Agreement& end, Findings& findings)
                  format("%.1f %% of a breast is more than %.0f mm outside of the other one (usual: "
                         "0): compare the label images.",
                         percent(end.outside_share), far_outside));
-  if (quality.same_contrast)
-    findings.judge(1. - end.correlation, uncorrelated,
+  if (quality.same_contrast && end.intensities)
+    findings.judge(1. - end.intensities->correlation, uncorrelated,
                    format("The registered images correlate by %.2f (usual with this metric: above "
                           "%.2f): use '--similarity lncc' if they differ in contrast, else look at "
                           "the pictures.",
-                          end.correlation, 1. - uncorrelated.doubtful));
+                          end.intensities->correlation, 1. - uncorrelated.doubtful));
 }
 
 void judge_stage(const char* stage, const std::optional<Agreement>& before,

@@ -186,12 +186,11 @@ TEST(RegisterAgain, FromItsUsedParametersGivesTheSame) {
   EXPECT_EQ(read_json(again + "/summary.json").at("tre"), first.summary.at("tre"));
 }
 
-// Chests 20 mm apart along their axis, in which their surfaces fit as well as before: image forces
-// make the images alike, and all landmarks wrong.
+// Chests that are 20 mm apart: image forces make the images as alike as they can.
 TEST(RegisterVerdict, FailsForASupineImageElsewhere) {
   const TemporaryFolder folder;
   const ProgramRun run = run_prosup({"register", PROSUP_PRM_FOLDER "/tests/small.prm", "--set",
-                                     "Case/Supine offset=0,0,20", "--output", folder / "result"});
+                                     "Case/Supine offset=20,0,0", "--output", folder / "result"});
   EXPECT_EQ(run.exit_code, 3) << run.transcript();
   EXPECT_NE(run.out.find("Verdict: failed"), std::string::npos) << run.out;
   const Json quality = read_json(folder / "result/summary.json").at("quality");

@@ -1,6 +1,8 @@
 #ifndef PROSUP_REGISTRATION_AGREEMENT_H
 #define PROSUP_REGISTRATION_AGREEMENT_H
 
+#include <optional>
+
 #include "prosup/registration/breast_pair.h"
 #include "prosup/registration/comparison.h"
 
@@ -19,14 +21,18 @@ struct Agreement {
   double outside_share = 0.;  ///< of a breast, more than `far_outside` out of the other
   /// Of the intensities where both breasts are: Pearson's correlation, the mean squared
   /// correlation in small windows, and normalised mutual information minus 1.
-  double correlation = 0., local_correlation = 0., mutual_information = 0.;
+  struct Intensities {
+    double correlation = 0., local_correlation = 0., mutual_information = 0.;
+  };
+  std::optional<Intensities> intensities;
 };
 
 inline constexpr double far_outside = 5.; ///< mm
 
-/// The agreement of the pair's present state. Collective on the ranks of both breasts; the same on
-/// all of them.
-Agreement measure_agreement(const BreastPair& pair, const ComparedImages& compared);
+/// The agreement of the pair's present state; the intensities, which take most of the time, only if
+/// asked for. Collective on the ranks of both breasts; the same on all of them.
+Agreement measure_agreement(const BreastPair& pair, const ComparedImages& compared,
+                            bool with_intensities);
 
 /// How far the surfaces of the two chest labels, where tissue lies on them, are apart.
 struct ChestMisfit {

@@ -74,7 +74,9 @@ public:
   /// Whether the images are compared by a metric that needs the same contrast.
   bool compares_same_contrast() const { return metric_->needs_same_contrast(); }
   /// How far the unloaded breasts agree as they are now.
-  Agreement agreement() const { return measure_agreement(*pair_, compared()); }
+  Agreement agreement(bool with_intensities = true) const {
+    return measure_agreement(*pair_, compared(), with_intensities);
+  }
   /// As it is now.
   RegistrationResult result() const;
 

@@ -149,7 +149,7 @@ struct Pair {
         });
   }
 
-  Agreement measure() const { return measure_agreement(*pair, {images, scene, nullptr}); }
+  Agreement measure() const { return measure_agreement(*pair, {images, scene, nullptr}, true); }
 };
 
 TEST(Agreement, IsFullOfTwoEqualBreasts) {
@@ -160,7 +160,7 @@ TEST(Agreement, IsFullOfTwoEqualBreasts) {
   EXPECT_DOUBLE_EQ(found.gland_dice, 1.);
   EXPECT_DOUBLE_EQ(found.skin_distance, 0.);
   EXPECT_DOUBLE_EQ(found.outside_share, 0.);
-  EXPECT_NEAR(found.correlation, 1., 1e-6);
+  EXPECT_NEAR(found.intensities->correlation, 1., 1e-6);
 }
 
 TEST(Agreement, SeesOutlinesThatDiffer) {
@@ -176,7 +176,7 @@ TEST(Agreement, SeesGlandThatIsElsewhere) {
   const Agreement found = Pair(38., 9.).measure();
   EXPECT_DOUBLE_EQ(found.breast_dice, 1.);
   EXPECT_NEAR(found.gland_dice, 0.5, 0.15); // 9 of 18 mm, on voxels of 3 mm
-  EXPECT_LT(found.correlation, 0.5);
+  EXPECT_LT(found.intensities->correlation, 0.5);
 }
 
 } // namespace
