@@ -225,7 +225,9 @@ std::vector<std::string> properties_at_bound(const std::vector<std::string>& nam
   std::vector<std::string> found;
   for (const SearchedProperty* property : chosen_of(names, properties, has_gland)) {
     const double q = property->get(properties);
-    if (std::min(std::abs(q - property->low), std::abs(q - property->high)) < near)
+    // Springs as soft as can be are those of tissue that slides freely.
+    const bool may_be_low = std::string(property->name) == "chest stiffness";
+    if ((q < property->low + near && !may_be_low) || q > property->high - near)
       found.emplace_back(property->name);
   }
   return found;

@@ -20,7 +20,7 @@ void search_properties(const std::vector<std::string>& names, PropertyTrials& tr
                        MaterialProgress& progress, unsigned max_steps, double least_gain,
                        bool to_the_end, const Keeper& keep);
 
-/// Names of the searched properties that are at an end of their range.
+/// Names of the searched properties that are at an end of their range where no tissue should be.
 std::vector<std::string> properties_at_bound(const std::vector<std::string>& names,
                                              const MechanicalProperties& properties,
                                              bool has_gland);

@@ -103,10 +103,11 @@ std::string value_of(const std::string& name, const MechanicalProperties& proper
 void judge_properties(const Quality& quality, Findings& findings) {
   const bool several = quality.at_bound.size() > 1;
   for (const std::string& name : quality.at_bound)
-    findings.add(several ? Grade::failed : Grade::doubtful,
-                 "The " + name + " found from the images, " + value_of(name, quality.properties) +
-                     ", is at an end of its range, so that no plausible tissue explains both "
-                     "shapes: check positions, gravity, labels and '--chest'.");
+    findings.add(
+        several ? Grade::failed : Grade::doubtful,
+        "The " + name + " found from the images, " + value_of(name, quality.properties) +
+            ", is at an end of its range, as if no plausible tissue explained both shapes: check "
+            "positions, gravity, labels and '--chest'.");
 }
 
 void judge_cells(const Quality& quality, Findings& findings) {
