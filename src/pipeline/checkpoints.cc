@@ -2,9 +2,7 @@
 
 #include <deal.II/base/mpi.h>
 
-#include "prosup/core/checksum.h"
 #include "prosup/core/collective.h"
-#include "prosup/core/parameter_entries.h"
 #include "prosup/core/version.h"
 
 namespace prosup::pipeline {
@@ -14,43 +12,7 @@ using namespace dealii;
 
 namespace {
 
-bool is_input_file(const std::string& entry) {
-  for (const char* end : {" image", " labels", " excluded", "/Landmarks"})
-    if (entry.rfind("Case/", 0) == 0 && entry.size() > std::string(end).size() &&
-        entry.compare(entry.size() - std::string(end).size(), std::string::npos, end) == 0)
-      return true;
-  return entry == "Single state/Mesh";
-}
-
 const std::string advice = "run without --restart to begin from the start";
-
-std::string lines_of(const ParameterEntries& entries) {
-  std::string text;
-  for (const auto& [name, value] : entries)
-    text += name + " = " + value + "\n";
-  return text;
-}
-
-ParameterEntries entries_of(const std::string& text) {
-  ParameterEntries entries;
-  for (const std::string& line : Utilities::split_string_list(text, "\n")) {
-    const std::size_t equals = line.find(" =");
-    if (equals != std::string::npos)
-      entries[line.substr(0, equals)] = Utilities::trim(line.substr(equals + 2));
-  }
-  return entries;
-}
-
-/// The entries that say what a run computes. Files count by what is in them.
-ParameterEntries relevant(const ParameterHandler& all) {
-  ParameterEntries entries = parameter_entries(all);
-  for (auto entry = entries.begin(); entry != entries.end();)
-    if (entry->first.rfind("Checkpoint/", 0) == 0 || is_input_file(entry->first))
-      entry = entries.erase(entry);
-    else
-      ++entry;
-  return entries;
-}
 
 } // namespace
 
@@ -64,24 +26,10 @@ fs::path Checkpoints::file(unsigned slot) const {
   return folder_ / (slot == 0 ? "a.h5" : "b.h5");
 }
 
-const std::string& Checkpoints::inputs() {
-  if (inputs_.empty()) {
-    on_root(world_, [&] {
-      ParameterEntries digests;
-      for (const auto& [name, value] : parameter_entries(all_))
-        if (is_input_file(name))
-          digests[name] = value.empty()       ? "none"
-                          : fs::exists(value) ? digest_text(value)
-                                              : "missing";
-      inputs_ = lines_of(digests);
-    });
-    inputs_ = Utilities::MPI::broadcast(world_, inputs_);
-  }
-  return inputs_;
-}
-
 std::unique_ptr<output::Hdf5Reader> Checkpoints::restart() {
-  inputs(); // as they are read now
+  on_root(world_, [&] { identity_ = identity_of(all_); });
+  identity_.inputs = Utilities::MPI::broadcast(world_, identity_.inputs);
+  identity_.parameters = Utilities::MPI::broadcast(world_, identity_.parameters);
   bool exists[2] = {false, false};
   on_root(world_, [&] {
     exists[0] = fs::exists(file(0));
@@ -128,22 +76,15 @@ std::unique_ptr<output::Hdf5Reader> Checkpoints::restart() {
   return reader;
 }
 
-void Checkpoints::compare(const output::Hdf5Reader& checkpoint) {
+void Checkpoints::compare(const output::Hdf5Reader& checkpoint) const {
   const std::string where = "in the checkpoint '" + file(1 - slot_).string() + "'";
   if (const std::string written_by = checkpoint.text("version"); written_by != version())
     throw Error("This is version " + std::string(version()) + ", but " + written_by + " is named " +
                 where + "; " + advice + ".");
-  const ParameterEntries now = relevant(all_), then = entries_of(checkpoint.text("parameters"));
-  for (const auto& [name, value] : now)
-    if (const auto old = then.find(name); old == then.end() || old->second != value)
-      throw Error("The parameter '" + name + "' is '" + value + "', but '" +
-                  (old == then.end() ? "" : old->second) + "' " + where +
-                  "; give the old value, or " + advice + ".");
-  const ParameterEntries inputs_then = entries_of(checkpoint.text("inputs"));
-  for (const auto& [name, value] : entries_of(inputs()))
-    if (const auto old = inputs_then.find(name); old == inputs_then.end() || old->second != value)
-      throw Error("The file of '" + name + "' is not the one named " + where +
-                  ", its contents differ; give the old file, or " + advice + ".");
+  const std::string difference = first_difference(
+      {checkpoint.text("parameters"), checkpoint.text("inputs")}, identity_, where);
+  if (!difference.empty())
+    throw Error(difference + ", or " + advice + ".");
 }
 
 bool Checkpoints::is_time() const {
@@ -155,6 +96,7 @@ bool Checkpoints::is_time() const {
 void Checkpoints::keep(const std::function<void(output::Hdf5Writer&)>& contents) {
   if (!is_time())
     return;
+  const Clock::time_point start = Clock::now();
   try {
     write(contents);
   } catch (const Error& error) {
@@ -162,6 +104,8 @@ void Checkpoints::keep(const std::function<void(output::Hdf5Writer&)>& contents)
       remarks_.add(std::string("No checkpoint was written: ") + error.what());
   }
   last_ = Clock::now();
+  seconds_ += std::chrono::duration<double>(last_ - start).count();
+  ++n_kept_;
 }
 
 void Checkpoints::write(const std::function<void(output::Hdf5Writer&)>& contents) {
@@ -174,8 +118,8 @@ void Checkpoints::write(const std::function<void(output::Hdf5Writer&)>& contents
   });
   output::Hdf5Writer writer(file(slot_), kind_, world_);
   writer.text("version", version());
-  writer.text("parameters", lines_of(relevant(all_)));
-  writer.text("inputs", inputs());
+  writer.text("parameters", identity_.parameters);
+  writer.text("inputs", identity_.inputs);
   writer.number("sequence", sequence_ + 1);
   contents(writer);
   writer.commit();
@@ -188,6 +132,8 @@ void Checkpoints::write(const std::function<void(output::Hdf5Writer&)>& contents
 }
 
 void Checkpoints::remove() {
+  if (n_kept_ > 0)
+    log_.line(format("%u checkpoint%s in %.2f s", n_kept_, n_kept_ == 1 ? "" : "s", seconds_));
   if (Utilities::MPI::this_mpi_process(world_) != 0)
     return;
   std::error_code ignored;

@@ -15,6 +15,7 @@
 #include "prosup/core/remarks.h"
 #include "prosup/output/hdf5_file.h"
 #include "prosup/pipeline/checkpoint_parameters.h"
+#include "run_identity.h"
 
 namespace prosup::pipeline {
 
@@ -47,8 +48,7 @@ private:
   std::filesystem::path file(unsigned slot) const;
   bool is_time() const;
   void write(const std::function<void(output::Hdf5Writer&)>& contents);
-  void compare(const output::Hdf5Reader& checkpoint);
-  const std::string& inputs();
+  void compare(const output::Hdf5Reader& checkpoint) const;
 
   const std::string kind_;
   const CheckpointParameters& parameters_;
@@ -57,10 +57,12 @@ private:
   MPI_Comm world_;
   const Log& log_;
   Remarks& remarks_;
-  std::string inputs_; // digests, once they were asked for
+  RunIdentity identity_;
   Clock::time_point last_ = Clock::now();
   unsigned sequence_ = 0; // of the last one
   unsigned slot_ = 0;     // of the next one
+  unsigned n_kept_ = 0;
+  double seconds_ = 0.; // that they took
 };
 
 } // namespace prosup::pipeline

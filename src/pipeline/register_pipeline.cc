@@ -1,6 +1,5 @@
 #include "prosup/pipeline/register_pipeline.h"
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/base/numbers.h>
 
 #include "checkpoints.h"
@@ -13,8 +12,6 @@
 #include "prosup/pipeline/descriptions.h"
 #include "prosup/pipeline/result_images.h"
 #include "prosup/registration/verdict.h"
-#include "run_record.h"
-#include "state_hdf5.h"
 
 namespace prosup::pipeline {
 
@@ -100,36 +97,6 @@ Outcome RegisterPipeline::run() {
   if (checkpoints_)
     checkpoints_->remove();
   return dealii::Utilities::MPI::broadcast(registration_.ranks().world(), outcome_);
-}
-
-void RegisterPipeline::stage(const char* name, registration::Stage done,
-                             std::optional<double>& seconds, const std::function<void()>& work) {
-  if (registration_.stage() >= done)
-    return;
-  run_.stage(name, work);
-  seconds = seconds.value_or(0.) + run_.seconds(name);
-  keep();
-}
-
-void RegisterPipeline::restart() {
-  const auto checkpoint = checkpoints_ ? checkpoints_->restart() : nullptr;
-  if (!checkpoint)
-    return;
-  registration_.resume(read_registration_state(*checkpoint));
-  set_record(checkpoint->text("record"), run_.summary(), quality_, convergence_);
-  note_properties();
-  std::optional<evaluation::ErrorStatistics> known;
-  evaluate(known);
-}
-
-void RegisterPipeline::keep() {
-  if (checkpoints_)
-    checkpoints_->keep([this](output::Hdf5Writer& file) {
-      const MPI_Comm world = registration_.ranks().world();
-      write_state(file, registration_.state(), world);
-      file.text("record", Utilities::MPI::broadcast(
-                              world, record_of(run_.summary(), quality_, convergence_)));
-    });
 }
 
 void RegisterPipeline::read() {

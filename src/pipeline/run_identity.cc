@@ -1,0 +1,76 @@
+#include "run_identity.h"
+
+#include <deal.II/base/utilities.h>
+
+#include <filesystem>
+
+#include "prosup/core/checksum.h"
+#include "prosup/core/parameter_entries.h"
+
+namespace prosup::pipeline {
+
+using namespace dealii;
+
+namespace {
+
+bool ends_with(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+/// Whether the value of an entry is a file to read.
+bool is_input_file(const std::string& entry) {
+  if (entry.rfind("Case/", 0) == 0)
+    for (const char* end : {" image", " labels", " excluded", "/Landmarks"})
+      if (ends_with(entry, end))
+        return true;
+  return entry == "Single state/Mesh";
+}
+
+std::string line_of(const std::string& name, const std::string& value) {
+  return name + " = " + value + "\n";
+}
+
+ParameterEntries entries_of(const std::string& text) {
+  ParameterEntries entries;
+  for (const std::string& line : Utilities::split_string_list(text, "\n")) {
+    const std::size_t equals = line.find(" =");
+    if (equals != std::string::npos)
+      entries[line.substr(0, equals)] = Utilities::trim(line.substr(equals + 2));
+  }
+  return entries;
+}
+
+} // namespace
+
+RunIdentity identity_of(const ParameterHandler& all) {
+  RunIdentity identity;
+  for (const auto& [name, value] : parameter_entries(all))
+    if (is_input_file(name))
+      identity.inputs += line_of(name, value.empty()                    ? "none"
+                                       : std::filesystem::exists(value) ? digest_text(value)
+                                                                        : "missing");
+    else if (name.rfind("Checkpoint/", 0) != 0)
+      identity.parameters += line_of(name, value);
+  return identity;
+}
+
+std::string first_difference(const RunIdentity& then, const RunIdentity& now,
+                             const std::string& where) {
+  const ParameterEntries old = entries_of(then.parameters), old_inputs = entries_of(then.inputs);
+  for (const auto& [name, value] : entries_of(now.parameters)) {
+    const auto found = old.find(name);
+    const std::string before = found == old.end() ? "" : found->second;
+    if (found == old.end() || before != value)
+      return "The parameter '" + name + "' is '" + value + "', but '" + before + "' " + where +
+             "; give the old value";
+  }
+  for (const auto& [name, value] : entries_of(now.inputs)) {
+    const auto found = old_inputs.find(name);
+    if (found == old_inputs.end() || found->second != value)
+      return "The file of '" + name + "' has other contents than that " + where +
+             "; give the old file";
+  }
+  return "";
+}
+
+} // namespace prosup::pipeline
