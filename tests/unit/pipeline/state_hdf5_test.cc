@@ -97,10 +97,13 @@ TEST(RunRecord, HoldsWhatWasToldOfARun) {
   summary.time.mesh = 0.1;
   summary.alignment.emplace().method = "chest surface";
   summary.alignment->information = {0.1, 0.2};
+  registration::Quality quality, read_quality;
+  quality.at_bound = {"shear modulus"};
+  quality.material.emplace().gland_dice = 0.75;
   convergence[1].stage = "material";
   convergence[1].similarity = 2. / 3.;
   convergence[1].error = summary.tre.unloaded;
-  set_record(record_of(summary, convergence), read, read_convergence);
+  set_record(record_of(summary, quality, convergence), read, read_quality, read_convergence);
   EXPECT_EQ(read.steps, summary.steps);
   ASSERT_TRUE(read.tre.unloaded.has_value());
   EXPECT_EQ(read.tre.unloaded->mean, 1. / 3.);
@@ -109,6 +112,10 @@ TEST(RunRecord, HoldsWhatWasToldOfARun) {
   ASSERT_TRUE(read.alignment.has_value());
   EXPECT_EQ(read.alignment->method, "chest surface");
   EXPECT_EQ(read.alignment->information, summary.alignment->information);
+  EXPECT_EQ(read_quality.at_bound, quality.at_bound);
+  ASSERT_TRUE(read_quality.material.has_value());
+  EXPECT_EQ(read_quality.material->gland_dice, 0.75);
+  EXPECT_FALSE(read_quality.unloaded.has_value());
   ASSERT_EQ(read_convergence.size(), 2u);
   EXPECT_EQ(read_convergence[1].similarity, 2. / 3.);
   ASSERT_TRUE(read_convergence[1].error.has_value());
