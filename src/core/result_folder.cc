@@ -1,6 +1,7 @@
 #include "prosup/core/result_folder.h"
 
 #include "prosup/core/error.h"
+#include "prosup/core/file_system.h"
 #include "result_replacement.h"
 
 namespace prosup {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "prosup/core/error.h"
+#include "prosup/core/file_system.h"
 
 namespace prosup {
 

@@ -83,8 +83,8 @@ private:
     const double first = scheme_->first_length(progress_.length);
     double& length = progress_.length;
     for (length = first; length > scheme_->shortest_part() * first; length *= 0.5) {
-      ImageEnergyPoint next = energy_.evaluate(energy_.moved(point.unloaded, length, direction),
-                                               scheme_->needs_stiffness());
+      PairVectors trial = energy_.moved(point.unloaded, length, direction);
+      ImageEnergyPoint next = energy_.evaluate(trial, scheme_->needs_stiffness());
       if (next.is_allowed && next.value(kappa) < point.value(kappa)) {
         scheme_->accept(point, next);
         point = std::move(next);
