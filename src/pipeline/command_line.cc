@@ -40,11 +40,10 @@ int report(const std::string& message, MPI_Comm world) {
 int report_and_end_all(const std::exception& exception, MPI_Comm world) {
   if (dealii::Utilities::MPI::n_mpi_processes(world) == 1)
     return report(text_of(exception), world);
-  const unsigned rank = dealii::Utilities::MPI::this_mpi_process(world);
-  if (rank > 0)
+  if (dealii::Utilities::MPI::this_mpi_process(world) > 0)
     std::this_thread::sleep_for(std::chrono::milliseconds(500));
   abandon_unfinished();
-  std::fprintf(stderr, "prosup: %s (Rank %u.)\n", text_of(exception).c_str(), rank);
+  std::fprintf(stderr, "prosup: %s\n", text_of(exception).c_str());
   MPI_Abort(world, failure);
   return failure;
 }
