@@ -124,7 +124,9 @@ void measure_parts(const LabelImage& tissue, BreastMeasures& result) {
 }
 
 void measure_distance(const LabelImage& tissue, const Labels& meaning, BreastMeasures& result) {
-  const LabelImage chest = image::select_labels(result.labels, {meaning.chest});
+  // Specks of chest within the tissue would bring all of it near to the chest.
+  const LabelImage chest =
+      image::largest_component(image::select_labels(result.labels, {meaning.chest}));
   const std::size_t n = count(chest);
   if (n == 0 || n == chest.values.size())
     return;
