@@ -12,8 +12,8 @@ void CheckpointParameters::declare_parameters(ParameterHandler& prm) {
                     "--restart goes on after the run was ended.");
   prm.add_parameter("Interval", interval,
                     "Least time between two checkpoints. They are written at the ends of stages, "
-                    "and at accepted steps within them. A checkpoint takes 0.02 to 0.2 s; 0 writes "
-                    "one wherever it is possible. Units: s.",
+                    "and at accepted steps within them. It grows where they would take more than "
+                    "1 % of the time; 0 writes one wherever it is possible. Units: s.",
                     Patterns::Double(0., 1e6));
   prm.add_parameter("Folder", folder_,
                     "Folder for the checkpoints. If empty, the output folder with '.checkpoint' "

@@ -2,6 +2,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
+
 #include "prosup/core/collective.h"
 #include "prosup/core/version.h"
 
@@ -11,6 +13,8 @@ namespace fs = std::filesystem;
 using namespace dealii;
 
 namespace {
+
+constexpr double largest_part = 0.01; // of the time of a run, that checkpoints may take
 
 const std::string advice = "run without --restart to begin from the start";
 
@@ -89,8 +93,10 @@ void Checkpoints::compare(const output::Hdf5Reader& checkpoint) const {
 
 bool Checkpoints::is_time() const {
   const double since = std::chrono::duration<double>(Clock::now() - last_).count();
-  return Utilities::MPI::broadcast(world_,
-                                   int(parameters_.wanted && since >= parameters_.interval)) != 0;
+  double wait = parameters_.interval;
+  if (wait > 0. && n_kept_ > 0)
+    wait = std::max(wait, seconds_ / n_kept_ / largest_part);
+  return Utilities::MPI::broadcast(world_, int(parameters_.wanted && since >= wait)) != 0;
 }
 
 void Checkpoints::keep(const std::function<void(output::Hdf5Writer&)>& contents) {
