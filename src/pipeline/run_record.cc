@@ -12,9 +12,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErrorStatistics, mean, std, max, p95, n)
 
 namespace prosup::registration {
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Agreement, compared_share, volume_ratio, breast_dice, gland_dice,
-                                   skin_distance, skin_p95, outside_share, correlation,
-                                   local_correlation, mutual_information)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Agreement::Intensities, correlation, local_correlation,
+                                   mutual_information)
 
 } // namespace prosup::registration
 
@@ -38,9 +37,21 @@ void for_each_value(Summary& summary, const Visitor& visit) {
   visit("image_forces_seconds", summary.time.image_forces);
 }
 
+template <typename Agreement, typename Visitor>
+void for_each_value_of_agreement(Agreement& agreement, const Visitor& visit) {
+  visit("compared_share", agreement.compared_share);
+  visit("volume_ratio", agreement.volume_ratio);
+  visit("breast_dice", agreement.breast_dice);
+  visit("gland_dice", agreement.gland_dice);
+  visit("skin_distance", agreement.skin_distance);
+  visit("skin_p95", agreement.skin_p95);
+  visit("outside_share", agreement.outside_share);
+  visit("intensities", agreement.intensities);
+}
+
+/// Calls `visit` with the name and the place of the agreement after each stage.
 template <typename Quality, typename Visitor>
-void for_each_value_of_quality(Quality& quality, const Visitor& visit) {
-  visit("at_bound", quality.at_bound);
+void for_each_agreement(Quality& quality, const Visitor& visit) {
   visit("unloaded", quality.unloaded);
   visit("material", quality.material);
   visit("image_forces", quality.image_forces);
@@ -103,7 +114,11 @@ std::string record_of(const output::Summary& summary, const registration::Qualit
                       const std::vector<output::ConvergenceEntry>& convergence) {
   Json json;
   for_each_value(summary, Writer{json});
-  for_each_value_of_quality(quality, Writer{json["quality"]});
+  json["at_bound"] = quality.at_bound;
+  for_each_agreement(quality, [&](const char* name, const auto& agreement) {
+    if (agreement)
+      for_each_value_of_agreement(*agreement, Writer{json["agreement"][name]});
+  });
   if (summary.alignment)
     for_each_value_of_alignment(*summary.alignment, Writer{json["alignment"]});
   json["convergence"] = Json::array();
@@ -117,7 +132,11 @@ void set_record(const std::string& text, output::Summary& summary, registration:
   try {
     const Json json = Json::parse(text);
     for_each_value(summary, Reader{json});
-    for_each_value_of_quality(quality, Reader{json.at("quality")});
+    json.at("at_bound").get_to(quality.at_bound);
+    for_each_agreement(quality, [&](const char* name, auto& agreement) {
+      if (json.contains("agreement") && json.at("agreement").contains(name))
+        for_each_value_of_agreement(agreement.emplace(), Reader{json.at("agreement").at(name)});
+    });
     if (json.contains("alignment"))
       for_each_value_of_alignment(summary.alignment.emplace(), Reader{json.at("alignment")});
     convergence.clear();
