@@ -122,6 +122,8 @@ void RegisterPipeline::align() {
 void RegisterPipeline::check() {
   const registration::SceneReport report = registration_.check();
   on_root(registration_.ranks().world(), [&] { checks_.accept(report, run_.remarks()); });
+  for (const registration::Finding& finding : report.findings)
+    quality_.scene_findings.push_back(finding.text);
 }
 
 void RegisterPipeline::unload() {

@@ -201,6 +201,8 @@ Verdict judge(const Quality& quality) {
   judge_motion(quality, findings);
   judge_properties(quality, findings);
   judge_cells(quality, findings);
+  for (const std::string& finding : quality.scene_findings)
+    findings.add(Grade::doubtful, finding);
   judge_stage("The material update", quality.unloaded, quality.material, findings);
   judge_stage("The stage of image forces", quality.material, quality.image_forces, findings);
   return findings.verdict();

@@ -50,6 +50,12 @@ TEST(Verdict, FailsWhatDidNotSettle) {
   expect(Grade::failed, "did not settle", quality);
 }
 
+TEST(Verdict, KeepsTheDoubtsOfTheCheckOfTheScene) {
+  Quality quality = right();
+  quality.scene_findings = {"Label 7 is not explained."};
+  expect(Grade::doubtful, "Label 7", quality);
+}
+
 TEST(Verdict, NamesPropertiesAtTheirBounds) {
   Quality quality = right();
   quality.at_bound = {"gland ratio"};
