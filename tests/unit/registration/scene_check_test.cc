@@ -273,10 +273,12 @@ TEST(SceneCheck, ErrorsStopTheRunUnlessTheyAreAllowed) {
   const SceneReport report = spoilt.check();
   const Labels meaning;
   SceneCheck check(meaning);
-  expect_error([&] { check.accept(report); },
+  Remarks remarks;
+  expect_error([&] { check.accept(report, remarks); },
                {"In prone", "1 more finding:", "prosup check", "Checks/Errors stop the run"});
   read_parameters("", {"Checks/Errors stop the run=false"});
-  EXPECT_EQ(check.accept(report).size(), 2u);
+  check.accept(report, remarks);
+  EXPECT_EQ(remarks.all().size(), 2u);
 }
 
 } // namespace
