@@ -34,7 +34,9 @@ std::unique_ptr<ByteSource> voxel_bytes(const NiftiHeader& header, const fs::pat
     return n >= header.offset && n - header.offset >= n_bytes;
   };
   // Voxels without a header before them may begin like a gzip file by chance.
-  const bool is_packed = is_gzip(file) && !(header.pair && holds(found));
+  const bool is_plain_pair =
+      header.pair && file.extension() != ".gz" && holds(found) && !holds(found - 1);
+  const bool is_packed = is_gzip(file) && !is_plain_pair;
   if (!holds(most_bytes(found, is_packed)))
     throw Error(format("'%s' is damaged or incomplete: its header asks for %ju bytes of voxels "
                        "behind byte %ju, but the file has %ju bytes%s; copy it again.",

@@ -1,12 +1,12 @@
 #include <itkImageFileWriter.h>
 #include <itkNiftiImageIO.h>
-#include <itkNrrdImageIO.h>
 
 #include <array>
 #include <fstream>
 
 #include "file_formats.h"
 #include "itk_bridge.h"
+#include "nrrd_file.h"
 #include "prosup/core/error.h"
 #include "prosup/core/log.h"
 #include "prosup/core/text_file.h"
@@ -18,14 +18,17 @@ namespace prosup::image {
 
 namespace {
 
-/// Reads a file of a format that tells its length only to readers.
-void read_back(unsigned n_components, bool is_nifti, const std::filesystem::path& file) {
+/// Reads the written `file`, whose format tells its length only to readers.
+void read_back(unsigned n_components, const std::filesystem::path& file) {
   try {
     Remarks untold;
-    if (is_nifti)
+    const FileFormat format = format_of(file);
+    if (format == FileFormat::nifti)
       read_nifti(file, n_components, NiftiTransform::must_agree, untold);
-    else
+    else if (format == FileFormat::meta_image)
       read_meta_image(file, n_components, untold);
+    else
+      check_nrrd(file, untold);
   } catch (const std::exception&) {
     throw_cannot_write(file);
   }
@@ -35,12 +38,11 @@ void read_back(unsigned n_components, bool is_nifti, const std::filesystem::path
 /// a disk is full. A compressed file ends with the length of what was compressed, modulo 2^32.
 void check_written(const itk::ImageIOBase& io, const std::filesystem::path& file) {
   constexpr std::uintmax_t nifti_header = 352;
-  std::uintmax_t length = std::uintmax_t(io.GetImageSizeInBytes());
-  const bool is_nifti = dynamic_cast<const itk::NiftiImageIO*>(&io) != nullptr;
-  if (is_nifti && file.extension() == ".gz")
-    length += nifti_header;
-  else if (dynamic_cast<const itk::NrrdImageIO*>(&io) == nullptr)
-    return read_back(io.GetNumberOfComponents(), is_nifti, file);
+  const std::string ending = file.extension().string();
+  if (ending != ".gz" && ending != ".nrrd")
+    return read_back(io.GetNumberOfComponents(), file);
+  const std::uintmax_t length =
+      std::uintmax_t(io.GetImageSizeInBytes()) + (ending == ".gz" ? nifti_header : 0);
   std::ifstream stream(file, std::ios::binary);
   std::array<char, 4> end{};
   stream.seekg(-4, std::ios::end).read(end.data(), end.size());

@@ -21,7 +21,7 @@ struct Motion {
 /// What tells a good registration from a wrong one without knowing the truth.
 struct Quality {
   bool converged = false;
-  bool same_contrast = true; ///< the metric needs it, Metric::needs_same_contrast()
+  bool same_contrast = true;               ///< the metric needs it, Metric::needs_same_contrast()
   std::vector<std::string> scene_findings; ///< what the check of the scene said, one sentence each
   MechanicalProperties properties;
   std::vector<std::string> at_bound; ///< MaterialUpdateResult::at_bound

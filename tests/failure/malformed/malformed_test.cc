@@ -20,12 +20,10 @@ protected:
     grid.size = {12, 10, 8};
     grid.spacing = dealii::Tensor<1, 3>({6., 6., 7.});
     grid.direction = dealii::Tensor<2, 3>({{1., 0., 0.}, {0., 0.8, -0.6}, {0., 0.6, 0.8}});
-    for (image::LabelImage* labels : {&labels_.prone, &labels_.supine}) {
-      *labels = image::LabelImage(grid);
-      for (std::size_t v = 0; v < labels->values.size(); ++v) {
-        const std::size_t j = v / 12 % 10;
-        labels->values[v] = std::uint8_t(j > 6 ? 1 : j > 2 ? 2 + v % 2 : 0);
-      }
+    labels_ = image::LabelImage(grid);
+    for (std::size_t v = 0; v < labels_.values.size(); ++v) {
+      const std::size_t j = v / 12 % 10;
+      labels_.values[v] = std::uint8_t(j > 6 ? 1 : j > 2 ? 2 + v % 2 : 0);
     }
     image_ = image::ScalarImage(grid);
     for (std::size_t v = 0; v < image_.values.size(); ++v)
@@ -34,7 +32,7 @@ protected:
                              "prone.nhdr", "supine.nrrd"})
       image::write_image(image_, folder_ / name);
     for (const char* name : {"prone_labels.nii.gz", "prone_labels.mha", "supine_labels.nrrd"})
-      image::write_labels(labels_.prone, folder_ / name);
+      image::write_labels(labels_, folder_ / name);
     text_file(folder_ / "landmarks.csv", "id,prone_x,prone_y,prone_z,supine_x,supine_y,supine_z\n1,"
                                          "1,2,3,4,5,6\n\"a, b\",-1.5,2,3,4,5e0,6\n");
   }
@@ -80,7 +78,7 @@ protected:
   std::string bytes(const std::string& name) const { return contents(folder_ / name); }
 
   const TemporaryFolder folder_;
-  PerPosition<image::LabelImage> labels_;
+  image::LabelImage labels_;
   image::ScalarImage image_;
   unsigned n_inputs_ = 0;
 };
