@@ -4,6 +4,7 @@
 #include <vtkAlgorithm.h>
 #include <vtkCommand.h>
 #include <vtkExecutive.h>
+#include <vtkLogger.h>
 
 namespace prosup::output {
 
@@ -24,6 +25,20 @@ public:
 
 private:
   bool any_ = false;
+};
+
+/// Keeps what VTK logs from standard error while it lives; VtkErrors still hears it.
+class QuietVtk {
+public:
+  QuietVtk() : before_(vtkLogger::GetCurrentVerbosityCutoff()) {
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+  }
+  ~QuietVtk() { vtkLogger::SetStderrVerbosity(before_); }
+  QuietVtk(const QuietVtk&) = delete;
+  QuietVtk& operator=(const QuietVtk&) = delete;
+
+private:
+  vtkLogger::Verbosity before_;
 };
 
 } // namespace prosup::output

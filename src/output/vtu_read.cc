@@ -7,6 +7,8 @@
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include <cmath>
+#include <fstream>
+#include <set>
 
 #include "prosup/core/error.h"
 #include "prosup/mesh/boundary_codes.h"
@@ -24,9 +26,26 @@ using dealii::Point;
               "; give the result folder of a registration that finished.");
 }
 
+/// Whether two arrays of the file have one name, at which VTK's reader ends the program.
+bool has_array_twice(const std::filesystem::path& file) {
+  const std::string attribute = " Name=\"";
+  std::ifstream stream(file, std::ios::binary);
+  std::set<std::string> names;
+  for (std::string line; std::getline(stream, line) && line.find("<AppendedData") == line.npos;)
+    if (const std::size_t begin = line.find(attribute); begin != line.npos) {
+      const std::size_t name = begin + attribute.size();
+      if (!names.insert(line.substr(name, line.find('"', name) - name)).second)
+        return true;
+    }
+  return false;
+}
+
 vtkSmartPointer<vtkUnstructuredGrid> read_grid(const std::filesystem::path& file) {
   if (!std::filesystem::is_regular_file(file))
     refuse(file, "does not exist");
+  if (has_array_twice(file))
+    refuse(file, "is damaged: it has an array twice");
+  const QuietVtk quiet;
   vtkNew<vtkXMLUnstructuredGridReader> reader;
   vtkNew<VtkErrors> errors;
   errors->listen_to(*reader);
