@@ -3,18 +3,21 @@
 #include "fuzz_target.h"
 #include "image/segments.h"
 
+namespace prosup::tests {
+
 /// The text of an NRRD header, with the segments that it may name.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace prosup;
   const std::string text(reinterpret_cast<const char*>(data), size);
   Remarks remarks;
-  tests::parse_or_refuse([&] {
+  parse_or_refuse([&] {
     const auto header = image::parse_nrrd_header(text, "image.nrrd");
     image::n_data_bytes(header, "image.nrrd");
     image::nrrd_place(header, "image.nrrd", remarks);
     for (const image::Segment& segment : image::parse_segments(header, "image.nrrd"))
       image::kind_of_segment(segment.name);
   });
-  tests::require_sentences(remarks);
+  require_sentences(remarks);
   return 0;
 }
+
+} // namespace prosup::tests

@@ -3,6 +3,8 @@
 #include "fuzz_target.h"
 #include "prosup/core/parameters.h"
 
+namespace prosup::tests {
+
 namespace {
 
 /// One entry of each kind that prosup declares.
@@ -13,7 +15,7 @@ public:
     using namespace dealii::Patterns;
     prm.add_parameter("Number", number_, "", Double(0., 1e3));
     prm.add_parameter("Count", count_, "", Integer(0, 10));
-    prm.add_parameter("Choice", choice_, "", prosup::one_of({"first", "second one"}));
+    prm.add_parameter("Choice", choice_, "", one_of({"first", "second one"}));
     prm.add_parameter("Direction", direction_);
     prm.add_parameter("Labels", labels_, "", List(Integer(0, 255), 1, 4));
     prm.add_parameter("Wanted", wanted_);
@@ -33,14 +35,15 @@ private:
 
 /// A parameter file; what follows a zero byte is an override.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace prosup;
   const std::string text(reinterpret_cast<const char*>(data), size);
   const std::size_t end = std::min(text.find('\0'), size);
-  const auto file = tests::input_file("input.prm", data, end);
-  tests::parse_or_refuse([&] {
+  const auto file = input_file("input.prm", data, end);
+  parse_or_refuse([&] {
     const Entries entries;
     read_parameters(file, end < size ? std::vector<Override>{text.substr(end + 1)}
                                      : std::vector<Override>{});
   });
   return 0;
 }
+
+} // namespace prosup::tests

@@ -2,9 +2,10 @@
 
 #include "fuzz_target.h"
 
+namespace prosup::tests {
+
 /// The list of the files that a result folder holds: it decides what may be removed.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace prosup;
   const std::string text(reinterpret_cast<const char*>(data), size);
   const auto marker = ResultMarker::parse(text);
   if (!marker)
@@ -17,3 +18,5 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   return 0;
 }
+
+} // namespace prosup::tests

@@ -15,19 +15,19 @@
 namespace prosup::tests {
 
 /// Where the fields of a NIfTI-1 header are, bytes (https://nifti.nimh.nih.gov/nifti-1).
-namespace nifti_field {
-constexpr std::size_t dim = 40, intent_code = 68, datatype = 70, bitpix = 72, pixdim = 76,
-                      vox_offset = 108, scl_slope = 112, scl_inter = 116, xyzt_units = 123,
-                      qform_code = 252, sform_code = 254, quatern = 256, qoffset = 268, srow = 280,
-                      magic = 344;
-} // namespace nifti_field
+struct nifti_field {
+  static constexpr std::size_t dim = 40, intent_code = 68, datatype = 70, bitpix = 72, pixdim = 76,
+                               vox_offset = 108, scl_slope = 112, scl_inter = 116, xyzt_units = 123,
+                               qform_code = 252, sform_code = 254, quatern = 256, qoffset = 268,
+                               srow = 280, magic = 344;
+};
 
 /// A NIfTI-1 file written byte by byte: 4 x 3 x 2 voxels of 1.5 x 2 x 3 mm along right, anterior
 /// and superior, the first at RAS (10, 20, 30), by qform and sform, with the int16 values 0 to 23.
 class NiftiBytes {
 public:
   explicit NiftiBytes(bool swapped = false) : swapped_(swapped), bytes_(352, '\0') {
-    namespace f = nifti_field;
+    using f = nifti_field;
     put<std::int32_t>(0, {348});
     put<std::int16_t>(f::dim, {3, 4, 3, 2, 1, 1, 1, 1});
     put<float>(f::pixdim, {1.f, 1.5f, 2.f, 3.f});

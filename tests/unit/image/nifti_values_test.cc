@@ -17,7 +17,7 @@ namespace prosup::tests {
 namespace {
 
 using namespace prosup::image;
-namespace field = nifti_field;
+using field = nifti_field;
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
