@@ -18,6 +18,7 @@ namespace {
 
 constexpr double far_outside = 5.; // mm: more than masks and observers disagree about the skin
 constexpr std::size_t n_named = 3;
+constexpr double too_close = 2.; // mm: no three landmarks that are worth a registration
 
 /// The point between the voxel centres of `grid` that is nearest to `x`.
 Point<3> nearest_in(const image::VoxelGrid& grid, const Point<3>& x) {
@@ -25,6 +26,18 @@ Point<3> nearest_in(const image::VoxelGrid& grid, const Point<3>& x) {
   for (unsigned d = 0; d < 3; ++d)
     index[d] = std::clamp(index[d], 0., double(grid.size[d]) - 1.);
   return grid.physical(index[0], index[1], index[2]);
+}
+
+/// Says so if all landmarks lie in one place, as positions in metres that are read as mm do.
+void warn_of_one_place(const std::vector<Point<3>>& positions, Position position,
+                       Remarks& remarks) {
+  double extent = 0.;
+  for (const Point<3>& x : positions)
+    extent = std::max(extent, x.distance(positions.front()));
+  if (positions.size() > 2 && extent < too_close)
+    remarks.add(format("All %zu landmarks of the %s image lie within %.2g mm of each other; check "
+                       "that they are positions in mm.",
+                       positions.size(), name_of(position), extent));
 }
 
 } // namespace
@@ -40,6 +53,10 @@ void LandmarkEvaluation::read(const CaseParameters& parameters, Remarks& remarks
 
 void LandmarkEvaluation::check_places(Position position, const image::LabelImage& breast,
                                       Remarks& remarks) const {
+  std::vector<Point<3>> positions;
+  for (const evaluation::Landmark& landmark : landmarks_)
+    positions.push_back(position == Position::prone ? landmark.prone : landmark.supine);
+  warn_of_one_place(positions, position, remarks);
   const auto is_inside = [](std::uint8_t value) { return value != 0; };
   if (!has_landmarks() || std::all_of(breast.values.begin(), breast.values.end(), is_inside) ||
       std::none_of(breast.values.begin(), breast.values.end(), is_inside))
@@ -47,11 +64,10 @@ void LandmarkEvaluation::check_places(Position position, const image::LabelImage
   const image::ScalarImage distance = image::signed_distance(breast);
   const image::Sampler sampler(distance);
   std::vector<std::string> outside;
-  for (const evaluation::Landmark& landmark : landmarks_) {
-    const Point<3>& x = position == Position::prone ? landmark.prone : landmark.supine;
-    const Point<3> nearest = nearest_in(breast.grid, x);
-    if (x.distance(nearest) + std::max(0.f, sampler.value(nearest)) > far_outside)
-      outside.push_back("'" + shown(landmark.id) + "'");
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const Point<3> nearest = nearest_in(breast.grid, positions[i]);
+    if (positions[i].distance(nearest) + std::max(0.f, sampler.value(nearest)) > far_outside)
+      outside.push_back("'" + shown(landmarks_[i].id) + "'");
   }
   if (outside.empty())
     return;

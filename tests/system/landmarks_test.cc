@@ -57,8 +57,11 @@ TEST(Landmarks, ThatLieElsewhereAreReported) {
          "Image forces/Updates per level=1", "--output", folder / "out"});
     ASSERT_EQ(run.exit_code, 0) << run.transcript();
     const Json warnings = read_json(folder / "out/summary.json").at("warnings");
-    EXPECT_NE(warnings.dump().find("landmarks lie more than 5 mm outside"), std::string::npos)
-        << warnings.dump();
+    const std::string text = warnings.dump();
+    EXPECT_TRUE(text.find("landmarks lie more than 5 mm outside") != std::string::npos ||
+                text.find("of each other; check that they are positions in mm") !=
+                    std::string::npos)
+        << text;
   }
 }
 
