@@ -27,6 +27,8 @@ std::string with_readable_pattern(const std::string& text) {
   if (verdict == std::string::npos || begin == std::string::npos || end < begin)
     return text;
   const auto pattern = Patterns::pattern_factory(text.substr(begin, end - begin + 1));
+  if (pattern == nullptr) // brackets in the value itself
+    return text;
   return text.substr(0, verdict) +
          "is not allowed there, but: " + pattern->description(Patterns::PatternBase::Text);
 }

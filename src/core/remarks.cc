@@ -2,13 +2,16 @@
 
 #include <algorithm>
 
+#include "prosup/core/text.h"
+
 namespace prosup {
 
 void Remarks::add(const std::string& sentence) {
-  if (std::find(all_.begin(), all_.end(), sentence) != all_.end())
+  const std::string line = one_printable_line(sentence);
+  if (std::find(all_.begin(), all_.end(), line) != all_.end())
     return;
-  all_.push_back(sentence);
-  log_.warning(sentence);
+  all_.push_back(line);
+  log_.warning(line);
 }
 
 } // namespace prosup

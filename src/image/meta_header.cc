@@ -1,5 +1,7 @@
 #include "meta_header.h"
 
+#include <deal.II/base/symmetric_tensor.h>
+
 #include <algorithm>
 #include <cmath>
 

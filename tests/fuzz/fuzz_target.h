@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <stdexcept>
 #include <string>
 
 #include "prosup/core/error.h"
@@ -35,6 +36,7 @@ void parse_or_refuse(const Parse& parse) {
     parse();
   } catch (const Error& error) {
     require_sentence(error.what());
+  } catch (const std::domain_error&) { // of a grid, which image::read_image() makes an Error of
   }
 }
 

@@ -16,7 +16,7 @@ public:
   /// `log` is told of each; by default they are only kept.
   explicit Remarks(const Log& log = Log()) : log_(log) {}
 
-  /// Says and keeps `sentence`, unless it was said before.
+  /// Says and keeps `sentence`, made printable as that of an Error, unless it was said before.
   void add(const std::string& sentence);
 
   /// In the order in which they came.
