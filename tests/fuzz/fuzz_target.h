@@ -1,8 +1,6 @@
 #ifndef PROSUP_TESTS_FUZZ_TARGET_H
 #define PROSUP_TESTS_FUZZ_TARGET_H
 
-#include <unistd.h>
-
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -14,6 +12,7 @@
 
 #include "prosup/core/error.h"
 #include "prosup/core/remarks.h"
+#include "temporary_folder.h"
 
 namespace prosup::tests {
 
@@ -49,12 +48,7 @@ inline void require_sentences(const Remarks& remarks) {
 /// A file with the bytes of the input, for parsers that read files; one for each name.
 inline std::filesystem::path input_file(const std::string& name, const std::uint8_t* data,
                                         std::size_t size) {
-  static const std::filesystem::path folder = [] {
-    std::string pattern = (std::filesystem::temp_directory_path() / "prosup-fuzz-XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr)
-      std::abort();
-    return std::filesystem::path(pattern);
-  }();
+  static const TemporaryFolder folder;
   std::ofstream(folder / name, std::ios::binary)
       .write(reinterpret_cast<const char*>(data), std::streamsize(size));
   return folder / name;
