@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace prosup::image {
 
@@ -27,9 +28,8 @@ Order closest_axes(const Tensor<2, 3>& direction) {
   return best;
 }
 
-} // namespace
-
-ScalarImage in_usual_order(ScalarImage image) {
+template <typename T>
+VoxelImage<T> reordered(VoxelImage<T> image) {
   const VoxelGrid& from = image.grid;
   const Order order = closest_axes(from.direction);
   VoxelGrid to;
@@ -56,9 +56,9 @@ ScalarImage in_usual_order(ScalarImage image) {
     stride[d] = (turned[d] ? -1 : 1) * static_cast<std::ptrdiff_t>(old_stride[order[d]]);
   }
   to.origin = from.physical(double(first[0]), double(first[1]), double(first[2]));
-  ScalarImage result(to);
-  const float* begin = image.values.data() + from.linear_index(first[0], first[1], first[2]);
-  float* next = result.values.data();
+  VoxelImage<T> result(to);
+  const T* begin = image.values.data() + from.linear_index(first[0], first[1], first[2]);
+  T* next = result.values.data();
   for (std::size_t k = 0; k < to.size[2]; ++k)
     for (std::size_t j = 0; j < to.size[1]; ++j)
       for (std::size_t i = 0; i < to.size[0]; ++i)
@@ -66,6 +66,16 @@ ScalarImage in_usual_order(ScalarImage image) {
                         static_cast<std::ptrdiff_t>(j) * stride[1] +
                         static_cast<std::ptrdiff_t>(k) * stride[2]];
   return result;
+}
+
+} // namespace
+
+ScalarImage in_usual_order(ScalarImage image) {
+  return reordered(std::move(image));
+}
+
+LabelImage in_usual_order(LabelImage labels) {
+  return reordered(std::move(labels));
 }
 
 } // namespace prosup::image

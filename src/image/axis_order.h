@@ -9,6 +9,7 @@ namespace prosup::image {
 /// to these, the last one pointing up and all of them right-handed. Nothing is resampled: a mesh
 /// does not depend on the order in which a file happens to hold the voxels.
 ScalarImage in_usual_order(ScalarImage image);
+LabelImage in_usual_order(LabelImage labels);
 
 } // namespace prosup::image
 

@@ -21,7 +21,8 @@ constexpr const char* known_formats =
     "NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr) or MetaImage (.mha, .mhd)";
 
 std::array<itk::ImageIOBase::Pointer, 3> all_formats() {
-  return {itk::ImageIOBase::Pointer(itk::NiftiImageIO::New()), nrrd_format(),
+  return {itk::ImageIOBase::Pointer(itk::NiftiImageIO::New()),
+          itk::ImageIOBase::Pointer(itk::NrrdImageIO::New()),
           itk::ImageIOBase::Pointer(itk::MetaImageIO::New())};
 }
 
@@ -64,10 +65,6 @@ std::filesystem::path file_with_header(const std::filesystem::path& file) {
   return file;
 }
 
-itk::ImageIOBase::Pointer nrrd_format() {
-  return itk::NrrdImageIO::New().GetPointer();
-}
-
 itk::ImageIOBase::Pointer format_for_writing(const std::filesystem::path& file) {
   const std::string name = file.string();
   const auto folder = std::filesystem::absolute(file).parent_path();
@@ -85,28 +82,6 @@ void refuse_nifti_vectors(const std::filesystem::path& file) {
   throw Error(format("'%s' is NIfTI, but displacement fields are NRRD (.nrrd) or MetaImage "
                      "(.mha), because tools disagree on the vectors of NIfTI.",
                      file.string().c_str()));
-}
-
-std::string one_line(const std::string& text) {
-  // "ITK ERROR: NrrdImageIO(0x5639cfe45eb0): ..." names an object in memory.
-  const std::size_t object = text.find("ERROR: ") < 8 ? text.find("): ") : std::string::npos;
-  std::string line;
-  for (const char c : object == std::string::npos ? text : text.substr(object + 3)) {
-    const bool blank = c == '\n' || c == '\r' || c == '\t' || c == ' ';
-    if (!blank)
-      line += c;
-    else if (!line.empty() && line.back() != ' ')
-      line += ' ';
-  }
-  // NRRD's library tells the way that a mistake took; the last is the mistake.
-  if (const std::size_t last = line.rfind("[nrrd] "); last != std::string::npos)
-    line.erase(0, last + 7);
-  while (!line.empty() && (line.back() == ' ' || line.back() == '.'))
-    line.pop_back();
-  // The text becomes part of one sentence.
-  for (std::size_t stop = 0; (stop = line.find(". ", stop)) != std::string::npos;)
-    line[stop] = ';';
-  return line;
 }
 
 QuietItk::QuietItk() : before_(itk::Object::GetGlobalWarningDisplay()) {

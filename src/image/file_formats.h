@@ -21,9 +21,6 @@ FileFormat format_of(const std::filesystem::path& file);
 /// `file`.
 std::filesystem::path file_with_header(const std::filesystem::path& file);
 
-/// The reader and writer of NRRD.
-itk::ImageIOBase::Pointer nrrd_format();
-
 /// The writer for the ending of the file name.
 /// @throws Error if the ending is unknown or the folder does not exist.
 itk::ImageIOBase::Pointer format_for_writing(const std::filesystem::path& file);
@@ -31,9 +28,6 @@ itk::ImageIOBase::Pointer format_for_writing(const std::filesystem::path& file);
 /// @throws Error about a displacement field `file` in NIfTI, whose vectors mean different things to
 /// different tools.
 [[noreturn]] void refuse_nifti_vectors(const std::filesystem::path& file);
-
-/// A message of ITK as one line, without its preamble and final stop.
-std::string one_line(const std::string& text);
 
 /// Silences ITK's warnings while it lives.
 class QuietItk {

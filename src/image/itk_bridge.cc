@@ -1,7 +1,5 @@
 #include "itk_bridge.h"
 
-#include "regular_grid.h"
-
 namespace prosup::image {
 
 void set_geometry(itk::ImageBase<3>& image, const VoxelGrid& grid) {
@@ -17,19 +15,6 @@ void set_geometry(itk::ImageBase<3>& image, const VoxelGrid& grid) {
   image.SetOrigin(origin);
   image.SetSpacing(spacing);
   image.SetDirection(direction);
-}
-
-VoxelGrid geometry(const itk::ImageBase<3>& image) {
-  VoxelGrid grid;
-  for (unsigned d = 0; d < 3; ++d) {
-    grid.size[d] = image.GetLargestPossibleRegion().GetSize(d);
-    grid.origin[d] = image.GetOrigin()[d];
-    grid.spacing[d] = image.GetSpacing()[d];
-    for (unsigned e = 0; e < 3; ++e)
-      grid.direction[d][e] = image.GetDirection()(d, e);
-  }
-  make_orthonormal(grid.direction);
-  return grid;
 }
 
 } // namespace prosup::image

@@ -25,11 +25,6 @@ using ItkImage = itk::Image<typename ItkPixel<T>::Type, 3>;
 
 void set_geometry(itk::ImageBase<3>& image, const VoxelGrid& grid);
 
-/// The grid of an ITK image. Direction cosines are made orthonormal to
-/// rounding, since files hold them with few digits.
-/// @throws std::domain_error if they are further from orthonormal than that.
-VoxelGrid geometry(const itk::ImageBase<3>& image);
-
 /// An ITK image that shares the values of `image`, for reading: `image` must
 /// outlive it, and no filter may run in place on it.
 template <typename T>

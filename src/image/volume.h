@@ -15,12 +15,14 @@ struct Volume {
   double step = 0.; ///< between values that are stored as neighbouring integers; 0: none
 };
 
-// Both throw Error if the file cannot be used, or std::domain_error, which continues "its ", if its
+// All throw Error if the file cannot be used, or std::domain_error, which continues "its ", if its
 // voxels lie on no regular grid. `n_components` are the values that a voxel has to have.
 
 Volume read_nifti(const std::filesystem::path& file, unsigned n_components,
                   NiftiTransform transform, Remarks& remarks);
 Volume read_meta_image(const std::filesystem::path& file, unsigned n_components, Remarks& remarks);
+/// With 0 components: as many as the file has.
+Volume read_nrrd(const std::filesystem::path& file, unsigned n_components, Remarks& remarks);
 
 /// @throws Error if a voxel has another number of values.
 void check_components(unsigned found, unsigned needed, const std::filesystem::path& file);

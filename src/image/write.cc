@@ -6,7 +6,6 @@
 
 #include "file_formats.h"
 #include "itk_bridge.h"
-#include "nrrd_file.h"
 #include "prosup/core/error.h"
 #include "prosup/core/log.h"
 #include "prosup/core/text_file.h"
@@ -28,7 +27,7 @@ void read_back(unsigned n_components, const std::filesystem::path& file) {
     else if (format == FileFormat::meta_image)
       read_meta_image(file, n_components, untold);
     else
-      check_nrrd(file, untold);
+      read_nrrd(file, n_components, untold);
   } catch (const std::exception&) {
     throw_cannot_write(file);
   }

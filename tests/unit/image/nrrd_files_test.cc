@@ -74,6 +74,30 @@ TEST_F(NrrdFiles, AreReadInAllEncodings) {
   expect_error([&] { read_image(other); }, {"f.nrrd", "zstd"});
 }
 
+TEST_F(NrrdFiles, MayHaveAFourthAxisOfOneVolume) {
+  const auto fields = [&](const char* sizes, const char* directions, const char* kinds) {
+    std::string header = nrrd_fields();
+    header.replace(header.find("dimension: 3"), 12, "dimension: 4");
+    header.replace(header.find("3 2 2"), 5, sizes);
+    header.replace(header.find("(2,0,0) (0,2,0) (0,0,2)"), 23, directions);
+    return header + kinds + "encoding: raw\n\n";
+  };
+  const char *last = "(2,0,0) (0,2,0) (0,0,2) none", *first = "none (2,0,0) (0,2,0) (0,0,2)";
+  for (const char* kinds :
+       {"", "kinds: domain domain domain domain\n", "kinds: domain domain domain time\n",
+        "kinds: space space space list\n", "kinds: domain domain domain vector\n"}) {
+    const auto image = read_image(file("a.nrrd", fields("3 2 2 1", last, kinds) + bytes_));
+    expect_counting(image);
+    EXPECT_EQ(image.grid.origin, Point<3>(10., 20., 30.));
+    EXPECT_EQ(image.grid.spacing[2], 2.);
+    const auto series = file("b.nrrd", fields("3 2 2 2", last, kinds) + bytes_ + bytes_);
+    expect_error([&] { read_image(series); }, {"b.nrrd"});
+  }
+  for (const char* kinds :
+       {"", "kinds: list space space space\n", "kinds: time space space space\n"})
+    expect_counting(read_image(file("c.nrrd", fields("1 3 2 2", first, kinds) + bytes_)));
+}
+
 TEST_F(NrrdFiles, MayHaveTheirDataApart) {
   std::filesystem::create_directory(folder_ / "data");
   file("data/one file.raw", bytes_);
@@ -109,20 +133,6 @@ TEST_F(NrrdFiles, ThatAreTooShortAreRefusedBeforeMemoryIsTaken) {
     text.replace(text.find("3 2 2"), 5, "300000 200000 20000");
     const auto huge = file("huge.nrrd", text);
     expect_error([&] { read_image(huge); }, {"huge.nrrd", "incomplete", "copy it again"});
-  }
-}
-
-TEST_F(NrrdFiles, OfOneVolumeInFourDimensionsAreTaken) {
-  std::string text = nrrd_fields() + "encoding: raw\n\n" + bytes_;
-  text.replace(text.find("dimension: 3"), 12, "dimension: 4");
-  text.replace(text.find("3 2 2"), 5, "3 2 2 1");
-  text.replace(text.find(" (0,0,2)"), 8, " (0,0,2) none");
-  for (const std::string kinds : {"domain domain domain list", "domain domain domain vector"}) {
-    std::string with_kinds = text;
-    with_kinds.insert(with_kinds.find("encoding"), "kinds: " + kinds + "\n");
-    const auto image = read_image(file("a.nrrd", with_kinds));
-    expect_counting(image);
-    EXPECT_EQ(image.grid.origin, Point<3>(10., 20., 30.)) << kinds;
   }
 }
 

@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "expect_error.h"
 #include "image/segments.h"
 #include "nrrd_text.h"
+#include "prosup/image/image_io.h"
 #include "temporary_folder.h"
 #include "text_file.h"
 
@@ -155,6 +158,22 @@ TEST_F(Segmentation, KeysThatContradictEachOtherAreRefused) {
   refused({{"fat", 1, 1}}, "layer 1");
   refused({{"fat", 1}, {"gland", 1}}, "same value");
   refused({{"fat", 99999}}, "'99999'");
+}
+
+// Slicer saves segments on the voxels of the image, which read_image() brings into order.
+TEST_F(Segmentation, HasTheOrderOfAxesThatItsImageHas) {
+  std::string header = nrrd_fields(); // slices from head to foot
+  header.replace(header.find("(2,0,0) (0,2,0) (0,0,2)"), 23, "(2,0,0) (0,-2,0) (0,0,-2)");
+  const std::string bytes = "\1\2\3\1\1\2\2\3\3\2\1" + std::string(1, '\0');
+  const auto image =
+      read_image(text_file(folder_ / "a.nrrd", header + "encoding: raw\n\n" + bytes));
+  const auto file = text_file(folder_ / "a.seg.nrrd",
+                              header + "encoding: raw\n" +
+                                  keys({{"chest", 1}, {"fat", 2}, {"gland", 3}}) + "\n" + bytes);
+  const LabelImage tissues = read_tissues(file, labels_, remarks_);
+  EXPECT_TRUE(tissues.grid.coincides_with(image.grid, 1e-9));
+  EXPECT_TRUE(std::equal(tissues.values.begin(), tissues.values.end(), image.values.begin()));
+  EXPECT_TRUE(read_mask(file, remarks_).grid.coincides_with(image.grid, 1e-9));
 }
 
 TEST_F(Segmentation, OtherFilesKeepTheirNumbers) {
