@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "prosup/core/error.h"
+#include "prosup/core/temporary_name.h"
 
 namespace prosup {
 
@@ -25,13 +26,14 @@ std::string text_of(const std::exception& exception) {
            "-v), or take longer 'Images/Voxel edge', 'Results/Voxel edge' and 'Meshing/Edge "
            "length'.";
   if (dynamic_cast<const Error*>(&exception) != nullptr)
-    return exception.what(); // one sentence, which may hold file names with blanks
+    return with_known_names(
+        exception.what()); // one sentence, which may hold file names with blanks
   if (const auto* of_dealii = dynamic_cast<const dealii::ExceptionBase*>(&exception)) {
     std::ostringstream text;
     of_dealii->print_info(text);
-    return on_one_line(text.str());
+    return with_known_names(on_one_line(text.str()));
   }
-  return on_one_line(exception.what());
+  return with_known_names(on_one_line(exception.what()));
 }
 
 std::string on_one_line(const std::string& text) {

@@ -94,6 +94,7 @@ void OutputFile::make_temporary() {
     throw Error("Another run is writing to '" + given_.string() +
                 "'; wait for its end or give the name of another file.");
   }
+  name_ = std::make_unique<TemporaryName>(temporary_, given_);
   struct stat there {};
   if (stat(file_.c_str(), &there) == 0)
     fchmod(lock_, there.st_mode & 07777);

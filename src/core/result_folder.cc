@@ -46,6 +46,7 @@ ResultFolder::ResultFolder(ResultTarget target, std::vector<std::string> names)
   lock_ = std::make_unique<FolderLock>(
       is_there ? unfinished_inside(target_.folder) : unfinished_beside(target_.folder), given);
   unfinished_ = std::make_unique<Unfinished>([this] { lock_->clear(); });
+  name_ = std::make_unique<TemporaryName>(path(), given);
 }
 
 ResultFolder::~ResultFolder() {
@@ -57,8 +58,9 @@ ResultFolder::~ResultFolder() {
 void ResultFolder::commit() {
   const auto lock = uninterrupted();
   const fs::path& folder = target_.folder;
+  const ResultMarker fresh = ResultMarker::of(path());
   if (!is_folder(folder)) {
-    ResultMarker::of(path()).write(path());
+    fresh.write(path());
     std::error_code error;
     fs::rename(path(), folder, error);
     if (error && !is_folder(folder))
@@ -71,11 +73,11 @@ void ResultFolder::commit() {
       there = std::make_unique<FolderLock>(unfinished_inside(folder), folder.string());
     const ResultReplacement replacement(target_);
     try {
-      replacement.check(ResultMarker::of(path()).names());
+      replacement.check(fresh.names());
     } catch (const Error& error) {
       keep_aside(error.what());
     }
-    replacement.move_in(path());
+    replacement.move_in(path(), fresh);
   }
   unfinished_.reset();
   lock_.reset();

@@ -55,8 +55,13 @@ bool ResultMarker::lists(const std::string& name) const {
 
 bool ResultMarker::owns(const fs::path& folder, const std::string& name) const {
   std::error_code error;
-  if (!lists(name) || !fs::is_regular_file(fs::symlink_status(folder / name, error)))
+  if (!fs::is_regular_file(fs::symlink_status(folder / name, error)))
     return false;
+  const std::uintmax_t size = fs::file_size(folder / name, error);
+  if (error || std::none_of(files.begin(), files.end(), [&](const Entry& e) {
+        return e.name == name && e.digest.size == size;
+      }))
+    return false; // without reading it
   const FileDigest found = digest_of(folder / name);
   return std::any_of(files.begin(), files.end(),
                      [&](const Entry& e) { return e.name == name && e.digest == found; });

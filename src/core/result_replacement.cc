@@ -112,8 +112,7 @@ void ResultReplacement::remove_earlier(const ResultMarker& fresh) const {
   }
 }
 
-void ResultReplacement::move_in(const fs::path& source) const {
-  const ResultMarker fresh = ResultMarker::of(source);
+void ResultReplacement::move_in(const fs::path& source, const ResultMarker& fresh) const {
   std::vector<std::string> names = fresh.names();
   ResultMarker both = fresh;
   both.complete = false;

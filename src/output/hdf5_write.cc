@@ -10,6 +10,7 @@
 #include "hdf5_handle.h"
 #include "hdf5_seal.h"
 #include "prosup/core/collective.h"
+#include "prosup/core/temporary_name.h"
 #include "prosup/output/hdf5_file.h"
 
 namespace prosup::output {
@@ -126,14 +127,15 @@ void Hdf5Writer::text(const std::string& name, const std::string& value) {
 
 void Hdf5Writer::commit() {
   const fs::path &temporary = file_->temporary, &target = file_->target;
-  on_root(file_->communicator, [&] { make_room(temporary, file_->n_bytes); });
-  Hdf5Errors errors;
-  {
-    const Hdf5Handle handle(temporary, Hdf5Handle::Mode::create, file_->communicator);
-    for (const auto& write : file_->parts)
-      write(handle);
-  }
+  const TemporaryName name(temporary, target);
   try {
+    on_root(file_->communicator, [&] { make_room(temporary, file_->n_bytes); });
+    Hdf5Errors errors;
+    {
+      const Hdf5Handle handle(temporary, Hdf5Handle::Mode::create, file_->communicator);
+      for (const auto& write : file_->parts)
+        write(handle);
+    }
     on_every_rank(file_->communicator, [&] {
       if (!errors.first().empty())
         throw Error("The file '" + target.string() + "' cannot be written (HDF5: " +

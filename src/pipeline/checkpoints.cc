@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "prosup/core/collective.h"
+#include "prosup/core/exception_text.h"
 #include "prosup/core/version.h"
 
 namespace prosup::pipeline {
@@ -107,7 +108,7 @@ void Checkpoints::keep(const std::function<void(output::Hdf5Writer&)>& contents)
     write(contents);
   } catch (const Error& error) {
     if (Utilities::MPI::this_mpi_process(world_) == 0)
-      remarks_.add(std::string("No checkpoint was written: ") + error.what());
+      remarks_.add("No checkpoint was written: " + text_of(error));
   }
   last_ = Clock::now();
   seconds_ += std::chrono::duration<double>(last_ - start).count();

@@ -117,7 +117,7 @@ int run_command_line(int argc, char** argv, MPI_Comm world) {
         return static_cast<int>(command.run(request, world));
     return failure;
   } catch (const Error& error) {
-    return report(error.what(), world);
+    return report(text_of(error), world);
   } catch (const std::exception& error) {
     return report_and_end_all(error, world);
   }

@@ -7,7 +7,8 @@
 namespace prosup {
 
 /// What an exception of any library says, on one line and without a stack trace. Exceptions for
-/// want of memory become a sentence that says so.
+/// want of memory become a sentence that says so, and temporary files get the name that the user
+/// knows (TemporaryName).
 std::string text_of(const std::exception& exception);
 
 /// Text with a blank for each sequence of blanks and line ends.

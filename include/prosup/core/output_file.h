@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "prosup/core/temporary_name.h"
 #include "prosup/core/unfinished.h"
 
 namespace prosup {
@@ -47,6 +48,7 @@ private:
   std::filesystem::path temporary_; ///< is file_ if that is written to directly
   int lock_ = -1;
   std::unique_ptr<Unfinished> unfinished_;
+  std::unique_ptr<TemporaryName> name_;
 };
 
 } // namespace prosup

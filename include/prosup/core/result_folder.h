@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "prosup/core/folder_lock.h"
+#include "prosup/core/temporary_name.h"
 #include "prosup/core/unfinished.h"
 
 namespace prosup {
@@ -61,6 +62,7 @@ private:
   std::vector<std::string> names_;
   std::unique_ptr<FolderLock> lock_;
   std::unique_ptr<Unfinished> unfinished_;
+  std::unique_ptr<TemporaryName> name_;
 };
 
 } // namespace prosup

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "prosup/core/error.h"
+#include "prosup/core/exception_text.h"
+#include "prosup/core/result_folder.h"
 #include "temporary_folder.h"
 #include "text_file.h"
 
@@ -38,6 +40,27 @@ TEST(OutputFile, IsWrittenAsAWholeOrNotAtAll) {
     EXPECT_EQ(contents(file), header + row);
   }
   EXPECT_EQ(n_entries(here / ""), 1u);
+}
+
+// What fails while a file has its temporary name is told of the file that the user knows.
+TEST(TemporaryName, IsNotSpokenOf) {
+  const TemporaryFolder here;
+  fs::path folder, file;
+  {
+    const ResultFolder result(here / "out");
+    folder = result.path();
+    const TemporaryName inner(folder / ".a.part", folder / "a.h5");
+    EXPECT_EQ(text_of(Error("'" + (folder / ".a.part").string() + "' and '" +
+                            (folder / "b.vtu").string() + "' are full.")),
+              "'" + (here / "out/a.h5").string() + "' and '" + (here / "out/b.vtu").string() +
+                  "' are full.");
+    const OutputFile output(here / "points.csv", {});
+    file = output.path();
+    EXPECT_EQ(text_of(std::runtime_error("no " + file.string())),
+              "no " + (here / "points.csv").string());
+  }
+  EXPECT_EQ(text_of(Error(file.string())), file.string());
+  EXPECT_EQ(text_of(Error(folder.string())), folder.string());
 }
 
 TEST(OutputFile, ReplacesOnlyWhatTheCommandWrites) {
