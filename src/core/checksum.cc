@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <vector>
 
 #include "prosup/core/error.h"
 #include "prosup/core/log.h"
@@ -29,11 +28,15 @@ FileDigest digest_of(const std::filesystem::path& file, std::uintmax_t n_bytes) 
   return found;
 }
 
-std::string digest_text(const std::filesystem::path& file) {
-  if (file.empty())
-    return "";
-  const FileDigest found = digest_of(file);
-  return format("%ju:%08x", found.size, found.crc32);
+std::string digest_text(const std::vector<std::filesystem::path>& files) {
+  FileDigest all{0, static_cast<std::uint32_t>(crc32(0, nullptr, 0))};
+  for (const std::filesystem::path& file : files) {
+    const FileDigest next = digest_of(file);
+    all.crc32 = static_cast<std::uint32_t>(
+        crc32_combine(all.crc32, next.crc32, static_cast<z_off_t>(next.size)));
+    all.size += next.size;
+  }
+  return format("%ju:%08x", all.size, all.crc32);
 }
 
 } // namespace prosup

@@ -38,31 +38,6 @@ std::vector<std::string> numbered_names(const std::string& value, const fs::path
   return names;
 }
 
-/// The files that hold the voxels; none if these follow the header.
-std::vector<fs::path> data_files(const NrrdHeader& header, const fs::path& file) {
-  const std::string value = header.field("data file");
-  std::vector<std::string> names = header.data_files;
-  static const std::regex numbered(".*%[^ ]*d.* +-?[0-9]+ +-?[0-9]+ +-?[0-9]+.*");
-  const bool is_list = lower_case(value.substr(0, 4)) == "list";
-  if (is_list && names.empty())
-    refuse_nrrd_header(file.string(), "has 'data file: LIST', but no names of files behind it");
-  if (!is_list && value.size() < 4096 && std::regex_match(value, numbered))
-    names = numbered_names(value, file);
-  else if (!is_list && !value.empty())
-    names = {value};
-  std::vector<fs::path> result;
-  for (const std::string& name : names) {
-    const fs::path data = file.parent_path() / trimmed(name);
-    std::error_code ignored;
-    if (!fs::is_regular_file(data, ignored))
-      throw Error(format("'%s' names '%s' as a file of its voxels, which does not exist; copy it "
-                         "too.",
-                         file.string().c_str(), data.string().c_str()));
-    result.push_back(data);
-  }
-  return result;
-}
-
 /// The length of the data that gzip packed from `offset` on, up to a bit more than is `needed`.
 std::uintmax_t unpacked_length(const fs::path& file, std::uintmax_t offset, std::uintmax_t needed) {
   const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC);
@@ -119,9 +94,33 @@ std::uintmax_t least_bytes(const NrrdHeader& header, std::uintmax_t n_bytes, con
 
 } // namespace
 
+std::vector<fs::path> nrrd_data_files(const NrrdHeader& header, const fs::path& file) {
+  const std::string value = header.field("data file");
+  std::vector<std::string> names = header.data_files;
+  static const std::regex numbered(".*%[^ ]*d.* +-?[0-9]+ +-?[0-9]+ +-?[0-9]+.*");
+  const bool is_list = lower_case(value.substr(0, 4)) == "list";
+  if (is_list && names.empty())
+    refuse_nrrd_header(file.string(), "has 'data file: LIST', but no names of files behind it");
+  if (!is_list && value.size() < 4096 && std::regex_match(value, numbered))
+    names = numbered_names(value, file);
+  else if (!is_list && !value.empty())
+    names = {value};
+  std::vector<fs::path> result;
+  for (const std::string& name : names) {
+    const fs::path data = file.parent_path() / trimmed(name);
+    std::error_code ignored;
+    if (!fs::is_regular_file(data, ignored))
+      throw Error(format("'%s' names '%s' as a file of its voxels, which does not exist; copy it "
+                         "too.",
+                         file.string().c_str(), data.string().c_str()));
+    result.push_back(data);
+  }
+  return result;
+}
+
 void check_nrrd_data(const NrrdHeader& header, const fs::path& file) {
   const std::uintmax_t needed = least_bytes(header, n_data_bytes(header, file.string()), file);
-  const std::vector<fs::path> files = data_files(header, file);
+  const std::vector<fs::path> files = nrrd_data_files(header, file);
   std::uintmax_t found = files.empty() ? length(header, file, header.length, needed) : 0;
   for (const fs::path& data : files)
     found += length(header, data, 0, needed);

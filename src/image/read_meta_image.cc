@@ -102,7 +102,18 @@ private:
   const std::uintmax_t n_numbers_, length_, n_bytes_, offset_;
 };
 
+std::vector<fs::path> files_of(const MetaHeader& header, const std::string& text,
+                               const fs::path& file) {
+  return voxel_files(header, header.is_local() ? "" : text.substr(header.length), file);
+}
+
 } // namespace
+
+std::vector<fs::path> meta_voxel_files(const fs::path& header) {
+  const std::string text = beginning(header);
+  Remarks untold;
+  return files_of(parse_meta_header(text, header.string(), untold), text, header);
+}
 
 Volume read_meta_image(const fs::path& file, unsigned n_components, Remarks& remarks) {
   const std::string text = beginning(file);
@@ -116,8 +127,7 @@ Volume read_meta_image(const fs::path& file, unsigned n_components, Remarks& rem
   volume.grid.direction = header.direction;
   make_orthonormal(volume.grid.direction);
   volume.step = header.values.step();
-  const std::vector<fs::path> files =
-      voxel_files(header, header.is_local() ? "" : text.substr(header.length), file);
+  const std::vector<fs::path> files = files_of(header, text, file);
   const std::uintmax_t n_numbers = volume.grid.n_voxels() * n_components;
   for (const fs::path& data : files)
     VoxelFile(header, data, n_numbers / files.size()).append(volume.values, remarks);

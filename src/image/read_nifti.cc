@@ -49,6 +49,14 @@ std::unique_ptr<ByteSource> voxel_bytes(const NiftiHeader& header, const fs::pat
 
 } // namespace
 
+std::vector<fs::path> nifti_voxel_files(const fs::path& header) {
+  unsigned char bytes[longest_nifti_header];
+  const std::size_t n_bytes = unpacked_bytes(header)->read(bytes, sizeof(bytes));
+  Remarks untold;
+  const bool is_pair = parse_nifti_header(bytes, n_bytes, header.string(), untold).pair;
+  return {is_pair ? voxel_file(header) : header};
+}
+
 Volume read_nifti(const fs::path& file, unsigned n_components, NiftiTransform transform,
                   Remarks& remarks) {
   unsigned char bytes[longest_nifti_header];

@@ -2,6 +2,7 @@
 #define PROSUP_SRC_IMAGE_VOLUME_H
 
 #include <filesystem>
+#include <vector>
 
 #include "prosup/core/remarks.h"
 #include "prosup/image/image_io.h"
@@ -23,6 +24,11 @@ Volume read_nifti(const std::filesystem::path& file, unsigned n_components,
 Volume read_meta_image(const std::filesystem::path& file, unsigned n_components, Remarks& remarks);
 /// With 0 components: as many as the file has.
 Volume read_nrrd(const std::filesystem::path& file, unsigned n_components, Remarks& remarks);
+
+// The files with the voxels that belong to a header; maybe the same file.
+
+std::vector<std::filesystem::path> nifti_voxel_files(const std::filesystem::path& header);
+std::vector<std::filesystem::path> meta_voxel_files(const std::filesystem::path& header);
 
 /// @throws Error if a voxel has another number of values.
 void check_components(unsigned found, unsigned needed, const std::filesystem::path& file);

@@ -1,5 +1,6 @@
 #include "run_files.h"
 
+#include "prosup/image/image_files.h"
 #include "prosup/output/registration_file.h"
 
 namespace prosup::pipeline {
@@ -64,7 +65,8 @@ std::vector<fs::path> files_read(const AllParameters& parameters, const fs::path
                             parameters.single_state.mesh};
   for (const Position position : both_positions)
     for (const auto* kind : {&files.images, &files.labels, &files.excluded})
-      all.emplace_back((*kind)[position]);
+      for (const fs::path& part : image::files_of_image((*kind)[position]))
+        all.push_back(part);
   return all;
 }
 

@@ -6,16 +6,14 @@
 
 #include "prosup/core/checksum.h"
 #include "prosup/core/parameter_entries.h"
+#include "prosup/core/text.h"
+#include "prosup/image/image_files.h"
 
 namespace prosup::pipeline {
 
 using namespace dealii;
 
 namespace {
-
-bool ends_with(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
 
 /// Whether the value of an entry is a file to read.
 bool is_input_file(const std::string& entry) {
@@ -24,6 +22,13 @@ bool is_input_file(const std::string& entry) {
       if (ends_with(entry, end))
         return true;
   return entry == "Single state/Mesh";
+}
+
+/// Of a file and, if it is an image, of all that holds its voxels.
+std::string digest_of_input(const std::string& file) {
+  if (file.empty())
+    return "none";
+  return std::filesystem::exists(file) ? digest_text(image::files_of_image(file)) : "missing";
 }
 
 std::string line_of(const std::string& name, const std::string& value) {
@@ -46,9 +51,7 @@ RunIdentity identity_of(const ParameterHandler& all) {
   RunIdentity identity;
   for (const auto& [name, value] : parameter_entries(all))
     if (is_input_file(name))
-      identity.inputs += line_of(name, value.empty()                    ? "none"
-                                       : std::filesystem::exists(value) ? digest_text(value)
-                                                                        : "missing");
+      identity.inputs += line_of(name, digest_of_input(value));
     else if (name.rfind("Checkpoint/", 0) != 0)
       identity.parameters += line_of(name, value);
   return identity;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace prosup {
 
@@ -21,9 +22,9 @@ struct FileDigest {
 /// Of the first `n_bytes` of a file, or of all of it. @throws Error if the file cannot be read.
 FileDigest digest_of(const std::filesystem::path& file, std::uintmax_t n_bytes = UINTMAX_MAX);
 
-/// The digest of a whole file as text, "1234:89abcdef"; empty for an empty name.
-/// @throws Error if the file cannot be read.
-std::string digest_text(const std::filesystem::path& file);
+/// The digest of files, one behind the other, as text, "1234:89abcdef".
+/// @throws Error if one of them cannot be read.
+std::string digest_text(const std::vector<std::filesystem::path>& files);
 
 } // namespace prosup
 
