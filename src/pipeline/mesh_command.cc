@@ -31,7 +31,8 @@ bool run_mesh(const AllParameters& parameters, const dealii::ParameterHandler& a
   run.stage("Reading", [&] {
     on_root(world, [&] {
       given.require_labels(position);
-      labels = parameters.registration.images.read_labels(given.files(), position, run.remarks());
+      labels =
+          parameters.registration.images.read_breast(given.files(), position, run.remarks()).labels;
       const registration::SceneCheck& checks = parameters.registration.checks;
       checks.check_one(labels, position).tell(run.remarks());
     });

@@ -99,12 +99,13 @@ void SingleStateJob::read() {
   const registration::InputReader& images = parameters_.registration.images;
   landmarks_.read(given, run_.remarks());
   given.require_labels(position_);
-  scene_.labels[position_] = images.read_labels(given.files(), position_, run_.remarks());
+  registration::SingleInput breast = images.read_breast(given.files(), position_, run_.remarks());
+  scene_.labels[position_] = std::move(breast.labels);
+  original_ = std::move(breast.original);
   if (!given.files().labels[other(position_)].empty() &&
       parameters_.model().supports.need_other_labels())
     scene_.labels[other(position_)] =
-        images.read_labels(given.files(), other(position_), run_.remarks());
-  original_ = images.read_image(given.files(), position_, run_.remarks());
+        images.read_breast(given.files(), other(position_), run_.remarks()).labels;
 }
 
 void SingleStateJob::check() {

@@ -10,8 +10,6 @@
 #include "prosup/image/broadcast.h"
 #include "prosup/image/contrast.h"
 #include "prosup/image/filters.h"
-#include "prosup/image/image_io.h"
-#include "prosup/image/segmentation.h"
 #include "prosup/similarity/similarity_parameters.h"
 
 namespace prosup::registration {
@@ -43,29 +41,6 @@ float air_intensity(const ScalarImage& image, const LabelImage& labels) {
   if (std::find(labels.values.begin(), labels.values.end(), 0) == labels.values.end())
     return *std::min_element(image.values.begin(), image.values.end());
   return image::median_intensity(image, labels, 0);
-}
-
-/// No scan of a breast is outside of these bounds, mm, but one whose header has another unit is.
-/// @throws Error
-void check_extent(const image::VoxelGrid& grid, const std::string& file) {
-  constexpr double least = 20., most = 3000.;
-  for (unsigned d = 0; d < 3; ++d) {
-    const double extent = double(grid.size[d]) * grid.spacing[d];
-    if (extent < least || extent > most)
-      throw Error(
-          format("'%s' is %g mm long along axis %u (%zu voxels of %g mm), but an image that "
-                 "holds a breast has %g to %g mm; check the unit of its header, or give "
-                 "the whole volume.",
-                 file.c_str(), extent, d + 1, grid.size[d], grid.spacing[d], least, most));
-  }
-}
-
-/// Moves what was read of the supine breast by the offset of the case.
-template <typename T>
-image::VoxelImage<T> placed(image::VoxelImage<T> image, const CaseFiles& files, Position position) {
-  if (position == Position::supine)
-    image.grid.origin += files.supine_offset;
-  return image;
 }
 
 } // namespace
@@ -106,12 +81,6 @@ void InputReader::declare_parameters(ParameterHandler& prm) {
       one_of({transform::must_agree, transform::sform, transform::qform}));
 }
 
-LabelImage InputReader::labels_in(const std::string& file, Remarks& remarks) const {
-  LabelImage labels = image::read_tissues(file, labels_, remarks, nifti_transform());
-  check_extent(labels.grid, file);
-  return labels;
-}
-
 image::NiftiTransform InputReader::nifti_transform() const {
   if (nifti_transform_ == transform::sform)
     return image::NiftiTransform::sform;
@@ -122,67 +91,6 @@ image::NiftiTransform InputReader::nifti_transform() const {
 double InputReader::isotropic_edge(const image::VoxelGrid& grid) const {
   const auto [shortest, longest] = std::minmax({grid.spacing[0], grid.spacing[1], grid.spacing[2]});
   return longest <= largest_anisotropy * shortest ? 0. : std::max(voxel_edge_, shortest);
-}
-
-LabelImage InputReader::checked_labels(const CaseFiles& files, Position position,
-                                       Remarks& remarks) const {
-  const std::string& file = files.labels[position];
-  LabelImage labels = placed(labels_in(file, remarks), files, position);
-  if (std::all_of(labels.values.begin(), labels.values.end(),
-                  [](std::uint8_t label) { return label == 0; }))
-    throw Error("The label image '" + file +
-                "' is empty: all its voxels are 0; it has to mark the "
-                "chest wall, fat and gland.");
-  image::require_regions(labels, file);
-  image::require_label(labels, labels_.chest, "the chest wall ('Labels/Chest')", file);
-  const LabelImage tissue = image::select_labels(labels, labels_.tissues);
-  if (std::none_of(tissue.values.begin(), tissue.values.end(), [](auto v) { return v != 0; }))
-    image::require_label(labels, labels_.tissues.front(), "breast tissue ('Labels/Tissues')", file);
-  return labels;
-}
-
-LabelImage InputReader::read_labels(const CaseFiles& files, Position position,
-                                    Remarks& remarks) const {
-  LabelImage labels = checked_labels(files, position, remarks);
-  // A cropped label image ends where the image does not.
-  if (!files.images[position].empty())
-    read_original(files, position, labels, remarks);
-  const double edge = isotropic_edge(labels.grid);
-  return edge > 0. ? image::resample_isotropic(labels, edge) : labels;
-}
-
-OriginalImage InputReader::read_original(const CaseFiles& files, Position position,
-                                         LabelImage& labels, Remarks& remarks) const {
-  const std::string& file = files.images[position];
-  ScalarImage image = placed(image::read_image(file, remarks, nifti_transform()), files, position);
-  labels = image::fit_labels(std::move(labels), image, files.labels[position], file, remarks);
-  if (const auto padding = image::replace_padding(image, labels))
-    remarks.add(
-        format("The value %g in %.0f %% of the air of '%s' was taken for padding beyond the "
-               "field of view and replaced by the intensity %g of the other air.",
-               padding->value, 100. * padding->share, file.c_str(), padding->air));
-  return {std::move(image), image::select_labels(labels, labels_.tissues)};
-}
-
-std::optional<OriginalImage> InputReader::read_image(const CaseFiles& files, Position position,
-                                                     Remarks& remarks) const {
-  if (files.images[position].empty())
-    return {};
-  LabelImage labels = checked_labels(files, position, remarks);
-  return read_original(files, position, labels, remarks);
-}
-
-LabelImage InputReader::read_excluded(const CaseFiles& files, Position position,
-                                      const ScalarImage& image, Remarks& remarks) const {
-  const std::string& file = files.excluded[position];
-  if (file.empty())
-    return {};
-  LabelImage mask = image::read_mask(file, remarks, nifti_transform());
-  check_extent(mask.grid, file);
-  mask = image::fit_labels(placed(std::move(mask), files, position), image, file,
-                           files.images[position], remarks);
-  const double edge = isotropic_edge(mask.grid);
-  return edge > 0. ? image::resample_isotropic(mask, edge) : mask;
 }
 
 void InputReader::prepare(const CaseFiles& files, Position position, Inputs& inputs,

@@ -23,6 +23,12 @@ struct OriginalImage {
   image::LabelImage breast;
 };
 
+/// What is read of one breast for a simulation of it alone.
+struct SingleInput {
+  image::LabelImage labels;              ///< isotropic, on the grid of the image if there is one
+  std::optional<OriginalImage> original; ///< nothing if no image is given
+};
+
 /// The images of a case, ready for use. The originals stay in the coordinates in which they were
 /// read; all else is in those of the prone image.
 struct Inputs {
@@ -50,13 +56,8 @@ public:
   /// that are not there.
   Inputs read_pair(const CaseFiles& files, MPI_Comm communicator, Remarks& remarks) const;
 
-  /// The labels of one position, isotropic, on the grid of its image if one is given; for one rank.
-  image::LabelImage read_labels(const CaseFiles& files, Position position, Remarks& remarks) const;
-
-  /// The image of one position as it is, checked against its labels, or nothing if none is given;
-  /// for one rank.
-  std::optional<OriginalImage> read_image(const CaseFiles& files, Position position,
-                                          Remarks& remarks) const;
+  /// Labels and image of one position; for one rank. @throws Error as read_pair().
+  SingleInput read_breast(const CaseFiles& files, Position position, Remarks& remarks) const;
 
 private:
   /// Reads the image, and puts `labels` on its voxels.
@@ -67,7 +68,6 @@ private:
                                    Remarks& remarks) const;
   image::LabelImage read_excluded(const CaseFiles& files, Position position,
                                   const image::ScalarImage& image, Remarks& remarks) const;
-  image::LabelImage labels_in(const std::string& file, Remarks& remarks) const;
   image::NiftiTransform nifti_transform() const;
   void convert_contrast(Inputs& inputs) const;
   double isotropic_edge(const image::VoxelGrid& grid) const;

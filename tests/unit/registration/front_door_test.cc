@@ -106,7 +106,7 @@ TEST(Registration, ABreastThatIsLoadedComesBackToWhereItWas) {
   set_coarse();
   similarity::Scene scene;
   Remarks remarks;
-  scene.labels.prone = parameters.images.read_labels(small_case(), Position::prone, remarks);
+  scene.labels.prone = parameters.images.read_breast(small_case(), Position::prone, remarks).labels;
   const auto unloaded = make_breast(
       parameters.model, {Position::prone, scene, Tensor<1, 3>({0., -1., 0.})}, MPI_COMM_WORLD);
   unloaded->unload();

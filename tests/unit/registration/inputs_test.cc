@@ -72,8 +72,8 @@ TEST(Inputs, ACroppedSegmentationComesToTheGridOfItsImage) {
   const Labels labels;
   const InputReader reader(labels);
   Remarks remarks;
-  const auto original = reader.read_image(files, Position::prone, remarks);
-  EXPECT_EQ(original->breast.values, image::select_labels(whole, labels.tissues).values);
+  const SingleInput input = reader.read_breast(files, Position::prone, remarks);
+  EXPECT_EQ(input.original->breast.values, image::select_labels(whole, labels.tissues).values);
   ASSERT_EQ(remarks.all().size(), 2u);
   EXPECT_NE(remarks.all()[0].find("numbered by their names"), std::string::npos);
   EXPECT_NE(remarks.all()[1].find("nearest voxel"), std::string::npos);
@@ -85,8 +85,7 @@ TEST(Inputs, ACroppedSegmentationComesToTheGridOfItsImage) {
   const Inputs inputs = reader.read_pair(files, MPI_COMM_SELF, untold);
   EXPECT_EQ(inputs.scene.labels.prone.values, expected.scene.labels.prone.values);
   EXPECT_EQ(inputs.scene.excluded.prone.grid.size, inputs.scene.labels.prone.grid.size);
-  EXPECT_EQ(reader.read_labels(files, Position::prone, untold).values,
-            inputs.scene.labels.prone.values);
+  EXPECT_EQ(input.labels.values, inputs.scene.labels.prone.values);
 }
 
 } // namespace
