@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
+#include "outlines.h"
 #include "prosup/image/sampling.h"
 
 namespace prosup::registration {
@@ -37,12 +39,6 @@ double share(std::size_t part, std::size_t all) {
   return all > 0 ? double(part) / double(all) : 0.;
 }
 
-double percentile(std::vector<double>& values, double fraction) {
-  const auto rank = std::ptrdiff_t(fraction * double(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + rank, values.end());
-  return values[std::size_t(rank)];
-}
-
 void compare_chests(const PerPosition<BreastMeasures>& breasts, PairMeasures& result) {
   std::vector<double> all;
   for (const Position position : both_positions) {
@@ -52,12 +48,14 @@ void compare_chests(const PerPosition<BreastMeasures>& breasts, PairMeasures& re
   }
   if (all.empty())
     return;
-  result.chest_median = percentile(all, 0.5);
-  result.chest_p90 = percentile(all, 0.9);
+  result.chest_median = quantile(all, 0.5);
+  result.chest_p90 = quantile(std::move(all), 0.9);
 }
 
 std::optional<TissueContrast> contrast_of(const ScalarImage& image, const image::LabelImage& labels,
                                           const Labels& meaning) {
+  if (meaning.gland == 0)
+    return {};
   std::vector<double> fat, gland;
   const std::array<bool, 256> is_tissue = tissue_table(meaning);
   for (std::size_t v = 0; v < labels.values.size(); ++v)
@@ -67,7 +65,7 @@ std::optional<TissueContrast> contrast_of(const ScalarImage& image, const image:
       fat.push_back(image.values[v]);
   if (fat.empty() || gland.empty())
     return {};
-  return TissueContrast{percentile(fat, 0.5), percentile(gland, 0.5)};
+  return TissueContrast{quantile(std::move(fat), 0.5), quantile(std::move(gland), 0.5)};
 }
 
 std::vector<double> histogram(const ScalarImage& image, const image::LabelImage& labels,

@@ -24,13 +24,15 @@ constexpr HalfEllipsoid hanging{60., 60.}, lying{36., 76.}; // mm, of one volume
 
 /// A case, and what may be done wrong with it.
 struct Case {
+  unsigned gland = 3;
   LabelImage prone = hanging.labels(), supine = lying.labels();
   PerPosition<Tensor<1, 3>> gravity{Tensor<1, 3>({0., -1., 0.}), Tensor<1, 3>({0., 1., 0.})};
   bool needs_same_contrast = true;
   std::function<void(Inputs&)> spoil = [](Inputs&) {};
 
   SceneReport check() const {
-    const Labels meaning;
+    Labels meaning;
+    meaning.gland = gland;
     Inputs inputs = inputs_of(prone, supine);
     spoil(inputs);
     return SceneCheck(meaning).check_pair(inputs, gravity, needs_same_contrast);
@@ -250,6 +252,15 @@ TEST(SceneCheck, Contrast) {
   expect_warning(spoilt, "brighter in the supine one");
   spoilt.needs_same_contrast = false;
   EXPECT_TRUE(spoilt.check().findings.empty()) << listed(spoilt.check());
+  Case without_gland; // air is none, though 0 says so
+  without_gland.gland = 0;
+  without_gland.spoil = [](Inputs& inputs) {
+    const auto& labels = inputs.scene.labels.supine.values;
+    for (std::size_t v = 0; v < labels.size(); ++v)
+      if (labels[v] == 0)
+        inputs.images.supine.values[v] = 1.f;
+  };
+  EXPECT_EQ(listed(without_gland.check()).find("Gland is"), std::string::npos);
   Case mask;
   mask.spoil = [](Inputs& inputs) {
     auto& [image, breast] = inputs.originals.prone;
