@@ -1,3 +1,4 @@
+#include "all_files_known.h"
 #include "prosup/image/image_io.h"
 #include "prosup/output/vtu.h"
 #include "small_registration.h"
@@ -22,6 +23,7 @@ TEST(Mesh, WritesTheMeshOfOneStateAndItsQuality) {
   EXPECT_GT(summary.at("mesh").at("supine").at("min_quality").get<double>(), 0.);
   EXPECT_FALSE(summary.at("mesh").contains("prone"));
   EXPECT_FALSE(summary.contains("tre"));
+  expect_all_files_known(output, {"mesh", small, "--state", "supine"});
 }
 
 TEST(Mesh, GetsFinerWithTheEdgeLength) {
@@ -64,6 +66,7 @@ TEST(Unload, IsTheSameOnTwoRanks) {
     EXPECT_TRUE(
         field.grid.coincides_with(image::read_image(output / "prone_unloaded.nii.gz").grid));
     meshes.push_back(output::read_mesh(output / "prone_loaded.vtu"));
+    expect_all_files_known(output, {"unload", small});
   }
   ASSERT_EQ(meshes[0].unloaded.size(), meshes[1].unloaded.size());
   double difference = 0., displacement = 0.;

@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 
+#include "all_files_known.h"
 #include "prosup/evaluation/landmarks.h"
 #include "prosup/image/image_io.h"
 #include "prosup/output/vtu.h"
@@ -70,6 +71,7 @@ TEST_F(PhantomCommand, IsTheSameOnTwoRanks) {
 
 TEST_F(PhantomCommand, FieldsLeadToTheLandmarks) {
   const auto result = make("phantom", {"Phantom/Images/Voxel edge=1.5"});
+  expect_all_files_known(result, {"phantom", small_phantom});
   const auto landmarks = evaluation::read_landmarks(result / "landmarks.csv");
   const auto prone = image::read_displacement(result / "unloaded_to_prone.nrrd"),
              supine = image::read_displacement(result / "unloaded_to_supine.nrrd");
@@ -185,6 +187,7 @@ TEST(Load, LoadsLabelsAndTheirImage) {
   const ProgramRun run =
       run_prosup({"load", PROSUP_PRM_FOLDER "/tests/small.prm", "--output", result}, 2);
   ASSERT_EQ(run.exit_code, 0) << run.transcript();
+  expect_all_files_known(result, {"load", PROSUP_PRM_FOLDER "/tests/small.prm"});
   const auto field = image::read_displacement(result / "prone_to_unloaded.nrrd");
   EXPECT_TRUE(field.grid.coincides_with(image::read_image(result / "prone_loaded.nii.gz").grid));
   EXPECT_TRUE(std::filesystem::exists(result / "unloaded_to_prone.nrrd"));

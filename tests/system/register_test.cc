@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "all_files_known.h"
 #include "prosup/image/image_io.h"
 #include "small_registration.h"
 
@@ -192,6 +193,11 @@ TEST(RegisterOnThreeRanks, GivesTheErrorsOfOneRank) {
     summaries.push_back(read_json(result + "/summary.json"));
   }
   expect_same_errors(summaries[0], summaries[1]);
+}
+
+TEST(RegisterFiles, AreAllKnownBefore) {
+  expect_all_files_known(SmallRegistration::on_ranks(1).folder,
+                         {"register", PROSUP_PRM_FOLDER "/tests/small.prm"});
 }
 
 // What used.prm says is what was run: the same again from it gives the same.
