@@ -89,6 +89,8 @@ Json as_json(const Summary& summary) {
   set(json["material"], "poisson_ratio", summary.poisson_ratio);
   set(json["material"], "gland_ratio", summary.gland_ratio);
   set(json["material"], "chest_stiffness", summary.chest_stiffness);
+  set(json["material"], "cut_plane_stiffness", summary.cut_plane_stiffness);
+  set(json["material"], "supine_tilt", summary.supine_tilt);
   set(json["tre"], "initial", summary.tre.initial);
   set(json["tre"], "unloaded", summary.tre.unloaded);
   set(json["tre"], "material", summary.tre.material);

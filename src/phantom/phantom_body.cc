@@ -94,7 +94,7 @@ std::vector<mechanics::LameParameters> PhantomBody::material() const {
 
 NodeVector PhantomBody::push(double pressure) const {
   const Point<3> centre = geometry_.on_skin({geometry_.sigma, 0., 0.});
-  const std::vector<double> area = lumped_area(*body_, {skin}, unloaded_);
+  const std::vector<double> area = lumped_area(*body_, mechanics::BoundaryIds{skin}, unloaded_);
   NodeVector force;
   body_->initialize(force);
   for (unsigned node = 0; node < body_->n_owned_nodes(); ++node) {

@@ -51,7 +51,10 @@ std::map<std::string, double> named(const MechanicalProperties& properties) {
   return {{"shear_modulus", properties.tissue.shear_modulus},
           {"poisson_ratio", properties.tissue.poisson_ratio},
           {"gland_ratio", properties.tissue.gland_ratio},
-          {"chest_stiffness", properties.chest_stiffness}};
+          {"chest_stiffness", properties.chest_stiffness},
+          {"cut_plane_stiffness", properties.cut_plane_stiffness},
+          {"tilt_left", properties.tilt.degrees()[0]},
+          {"tilt_superior", properties.tilt.degrees()[1]}};
 }
 
 } // namespace
@@ -163,6 +166,9 @@ void RegisterPipeline::note_properties() {
   summary.gland_ratio = found.tissue.gland_ratio;
   if (found.chest_stiffness > 0.)
     summary.chest_stiffness = found.chest_stiffness;
+  if (found.cut_plane_stiffness > 0.)
+    summary.cut_plane_stiffness = found.cut_plane_stiffness;
+  summary.supine_tilt = found.tilt.degrees();
   summary.lambda =
       mechanics::lame_parameters(found.tissue.shear_modulus, found.tissue.poisson_ratio).lambda;
 }

@@ -34,6 +34,9 @@ void for_each_number(State& state, const Visitor& visit) {
   visit("registration/poisson_ratio", state.properties.tissue.poisson_ratio);
   visit("registration/gland_ratio", state.properties.tissue.gland_ratio);
   visit("registration/chest_stiffness", state.properties.chest_stiffness);
+  visit("registration/cut_plane_stiffness", state.properties.cut_plane_stiffness);
+  visit("registration/tilt_left", state.properties.tilt.left);
+  visit("registration/tilt_superior", state.properties.tilt.superior);
   for (unsigned i = 0; i < 3; ++i) {
     const std::string axis(1, "xyz"[i]);
     visit("alignment/centre_" + axis, state.alignment.centre[i]);
@@ -68,6 +71,7 @@ void for_each_number(State& state, const Visitor& visit) {
   visit("material/best_value", material.best_value);
   visit("material/n_accepted", material.n_accepted);
   visit("material/damping", material.damping);
+  visit("material/n_independent", material.n_independent);
   visit("material/is_exact", material.is_exact);
   visit("material/walks_back", material.walks_back);
   visit_grid("material", material.grid);

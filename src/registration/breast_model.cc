@@ -48,6 +48,13 @@ void SimulationParameters::declare_parameters(dealii::ParameterHandler& prm) {
                     one_of(method_names()));
 }
 
+MechanicalProperties initial_properties(const BreastModel& model, unloading::ChestCondition chest) {
+  MechanicalProperties properties{model.material.initial(), model.supports.chest_stiffness(chest)};
+  if (model.simulation.method == "fe")
+    properties.cut_plane_stiffness = model.supports.cut_plane_stiffness();
+  return properties;
+}
+
 std::unique_ptr<Breast> make_breast(const BreastModel& model, const BreastInput& input,
                                     MPI_Comm communicator) {
   for (const Method& method : methods)

@@ -29,10 +29,14 @@ void BreastPair::for_each(const std::function<void(Position, Breast&)>& work) co
   });
 }
 
+bool BreastPair::all(const std::function<bool(Breast&)>& is_so) const {
+  int here = 1;
+  for_each([&](Position, Breast& breast) { here = here != 0 && is_so(breast) ? 1 : 0; });
+  return dealii::Utilities::MPI::min(here, ranks_.world()) > 0;
+}
+
 bool BreastPair::has_gland() const {
-  int any = 0;
-  for_each([&](Position, Breast& breast) { any += breast.has_gland(); });
-  return dealii::Utilities::MPI::max(any, ranks_.world()) > 0;
+  return !all([](Breast& breast) { return !breast.has_gland(); });
 }
 
 void BreastPair::set_properties(const MechanicalProperties& properties) {

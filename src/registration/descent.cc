@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -7,6 +8,12 @@
 #include "prosup/registration/image_force_registration.h"
 
 namespace prosup::registration {
+
+namespace {
+
+constexpr double largest_weight_factor = 10.; // beyond it single cells follow the noise
+
+} // namespace
 
 /// The updates from level to level.
 class ImageForceRegistration::Descent {
@@ -31,7 +38,7 @@ public:
     while (n_updates < parameters_.updates_per_level_ && point.is_allowed) {
       if (n_updates == 0 || !scheme_->remembers_steps())
         keep_();
-      const double kappa = parameters_.weight_ * pair_.properties().tissue.shear_modulus /
+      const double kappa = weight(point) * pair_.properties().tissue.shear_modulus /
                            point.similarity.residual_variance;
       const double before = point.value(kappa);
       if (!std::isfinite(kappa) || !improve(point, kappa))
@@ -43,8 +50,9 @@ public:
       if (gain < parameters_.least_gain_ * progress_.gained)
         break;
     }
-    log_.line(format("  level %g mm: %s %.4g after %u updates", level, comparison.name().c_str(),
-                     point.similarity.value, n_updates));
+    log_.line(format("  level %g mm: %s %.4g after %u updates; moved by %.2f mm", level,
+                     comparison.name().c_str(), point.similarity.value, n_updates,
+                     energy_.distance(point)));
     progress_.result.n_updates += n_updates;
   }
 
@@ -69,6 +77,14 @@ private:
     progress_.length = 1.;
     report(comparison, 0, 0., point);
     return point;
+  }
+
+  /// w: a model that the images contradict counts less.
+  double weight(const ImageEnergyPoint& point) const {
+    const double expected = parameters_.model_error_;
+    return parameters_.weight_ * (expected > 0. ? std::clamp(energy_.distance(point) / expected, 1.,
+                                                             largest_weight_factor)
+                                                : 1.);
   }
 
   void adopt(const ImageEnergyPoint& point) {

@@ -18,6 +18,7 @@ using settling::SettlingResult;
 namespace {
 
 constexpr auto chest_wall = static_cast<types::boundary_id>(mesh::BoundaryPart::chest_wall);
+constexpr auto cut_plane = static_cast<types::boundary_id>(mesh::BoundaryPart::cut_plane);
 
 } // namespace
 
@@ -32,6 +33,9 @@ bool ElementBreast::has_gland() const {
 
 void ElementBreast::set_properties(const MechanicalProperties& properties) {
   supports().set_springs_on(chest_wall, properties.chest_stiffness);
+  supports().set_springs_on(cut_plane, properties.cut_plane_stiffness);
+  if (knows_gravity() && position_ == Position::supine)
+    unloading().set_gravity_direction(tilted(parts_.gravity, properties.tilt));
   material_of_elements_ = material_.material_of(body().material_ids(), properties.tissue);
   unloading().set_material(material_of_elements_);
 }
@@ -123,8 +127,9 @@ make_element_breast(const BreastModel& model, const BreastInput& input, MPI_Comm
                           input.scene.labels[other(input.position)], input.scene.chest_label);
   parts.unloading = std::make_unique<unloading::Unloading>(
       model.unloading, *parts.supports, input.gravity, name_of(input.position), input.log);
+  parts.gravity = input.gravity;
   auto breast = std::make_unique<ElementBreast>(input.position, std::move(parts), model.material);
-  breast->set_properties({model.material.initial(), model.supports.chest_stiffness(input.chest)});
+  breast->set_properties(initial_properties(model, input.chest));
   return breast;
 }
 

@@ -3,6 +3,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -115,6 +116,17 @@ double ImageEnergy::product(const PairVectors& a, const PairVectors& b) const {
   pair_.for_each(
       [&](Position position, Breast&) { products[position] = a[position] * b[position]; });
   return sum_over_breasts(products);
+}
+
+double ImageEnergy::distance(const ImageEnergyPoint& point) const {
+  PerPosition<double> squares, n_numbers;
+  pair_.for_each([&](Position position, Breast&) {
+    NodeVector way = point.unloaded[position];
+    way -= start_[position];
+    squares[position] = way * way;
+    n_numbers[position] = static_cast<double>(way.size());
+  });
+  return std::sqrt(3. * sum_over_breasts(squares) / sum_over_breasts(n_numbers));
 }
 
 double ImageEnergy::sum_over_breasts(const PerPosition<double>& values) const {

@@ -44,6 +44,8 @@ public:
 
   /// X0.
   const PairVectors& start() const { return start_; }
+  /// Of the nodes of both breasts from there, root mean square, mm.
+  double distance(const ImageEnergyPoint& point) const;
 
   /// Measures the dissimilarity by `comparison` from now on, which has to live as long as it is
   /// used.

@@ -20,12 +20,6 @@ std::vector<std::string> scheme_names() {
 
 const std::vector<std::string> force_gradient_names{"exact", "transformed"};
 
-bool consists_of_elements(const BreastPair& pair) {
-  bool all = true;
-  pair.for_each([&](Position, Breast& breast) { all = all && breast.elements() != nullptr; });
-  return all;
-}
-
 } // namespace
 
 ImageForceRegistration::ImageForceRegistration()
@@ -53,6 +47,11 @@ void ImageForceRegistration::declare_parameters(ParameterHandler& prm) {
                     "the breast; sigma^2 is the variance of the residual. Not for accumulated. "
                     "Units: none.",
                     Patterns::Double(1e-9, 1e6));
+  prm.add_parameter("Model error", model_error_,
+                    "Distance by which the images may move the nodes of a right model, root mean "
+                    "square. In proportion as they move them by more, the weight grows, up to ten "
+                    "times. 0: the weight stays. Not for accumulated. Units: mm.",
+                    Patterns::Double(0., 1e3));
   prm.add_parameter("Smallest Jacobian", smallest_jacobian_,
                     "An update that brings any element below this J = det F is taken back. "
                     "Units: none.",
@@ -106,7 +105,8 @@ ImageForceResult ImageForceRegistration::run(BreastPair& pair, const ComparedIma
 void ImageForceRegistration::run(BreastPair& pair, const ComparedImages& images, const Log& log,
                                  const Observer& observer, ImageForceProgress& progress,
                                  const Keeper& keep) const {
-  if (scheme_ == accumulated || !consists_of_elements(pair))
+  if (scheme_ == accumulated ||
+      !pair.all([](Breast& breast) { return breast.elements() != nullptr; }))
     accumulate(pair, images, log, observer, progress, keep);
   else
     descend(pair, images, log, observer, progress, keep);

@@ -48,9 +48,10 @@ void MaterialUpdate::declare_parameters(ParameterHandler& prm) {
   prm.add_parameter(
       "Properties", properties_,
       "What the search may change, from the values given under Material and "
-      "Supports. The gland ratio only counts where there is gland, the chest stiffness "
-      "where the tissue slides on springs.",
-      Patterns::List(*one_of(property_names()).clone(), 0, 4));
+      "Supports. The gland ratio only counts where there is gland, the stiffness of chest and cut "
+      "planes where there are springs. Gravity turns about the axes perpendicular to the direction "
+      "given, with fe only.",
+      Patterns::List(*one_of(property_names()).clone(), 0, property_names().size()));
   prm.add_parameter("Levels", levels_,
                     "Edges of the voxels on which the images are compared, from coarse to fine. "
                     "Stepwise uses the last one. Units: mm.",
@@ -63,6 +64,12 @@ void MaterialUpdate::declare_parameters(ParameterHandler& prm) {
       "A search ends with a step that lowers the similarity by less than this part of all that "
       "was gained on its level. Units: none.",
       Patterns::Double(0., 1.));
+  prm.add_parameter(
+      "Correlation length", correlation_length_,
+      "L: what the images say counts as V/L^3 independent measurements of a breast of "
+      "volume V against the prior of the properties. The less the images agree in "
+      "the end, the more the prior counts. 0: no prior. Units: mm.",
+      Patterns::Double(0., 1e3));
   prm.add_parameter(
       "Factor", factor_,
       "Factor on the shear modulus of one step of stepwise, used both ways (paper: 1.1 clinical, "
@@ -88,7 +95,7 @@ void MaterialUpdate::run(BreastPair& pair, const ComparedImages& images, const L
     return PropertyTrials(pair,
                           Comparison(pair, images, by_images ? Compared::images : Compared::tissues,
                                      level, progress.grid),
-                          log, observer, progress);
+                          correlation_length_, log, observer, progress);
   };
   if (method_ == "stepwise") {
     PropertyTrials trials = trials_on(levels_.back());
@@ -109,7 +116,8 @@ void MaterialUpdate::run(BreastPair& pair, const ComparedImages& images, const L
     progress.derivatives.clear();
     keep();
   }
-  progress.result.at_bound = properties_at_bound(properties_, pair.properties(), pair.has_gland());
+  progress.result.at_bound =
+      properties_at_bound(properties_, pair.properties(), PropertiesOfPair(pair));
 }
 
 } // namespace prosup::registration

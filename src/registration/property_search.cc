@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
+
+#include "searched_property.h"
 
 namespace prosup::registration {
 
@@ -14,51 +17,22 @@ using namespace dealii;
 
 namespace {
 
-/// A property as a number q without bounds near it, and what is allowed of it.
-struct SearchedProperty {
-  const char* name;
-  double (*get)(const MechanicalProperties&);
-  void (*set)(MechanicalProperties&, double q);
-  double difference; ///< of q for derivatives
-  double low, high;  ///< of q
-};
-
-const std::vector<SearchedProperty>& searched_properties() {
-  static const std::vector<SearchedProperty> all{
-      {"shear modulus",
-       [](const MechanicalProperties& p) { return std::log(p.tissue.shear_modulus); },
-       [](MechanicalProperties& p, double q) { p.tissue.shear_modulus = std::exp(q); }, 0.1,
-       std::log(10.), std::log(1e5)},
-      // log(1 - 2 nu): the bulk modulus over the shear modulus is 1/(1 - 2 nu) - 1/3
-      {"Poisson ratio",
-       [](const MechanicalProperties& p) { return std::log(1. - 2. * p.tissue.poisson_ratio); },
-       [](MechanicalProperties& p, double q) { p.tissue.poisson_ratio = 0.5 * (1. - std::exp(q)); },
-       -0.2, std::log(0.02), std::log(0.5)},
-      {"gland ratio", [](const MechanicalProperties& p) { return std::log(p.tissue.gland_ratio); },
-       [](MechanicalProperties& p, double q) { p.tissue.gland_ratio = std::exp(q); }, 0.2,
-       std::log(0.5), std::log(5.)},
-      {"chest stiffness", [](const MechanicalProperties& p) { return std::log(p.chest_stiffness); },
-       [](MechanicalProperties& p, double q) { p.chest_stiffness = std::exp(q); }, 0.2,
-       std::log(0.5), std::log(200.)}};
-  return all;
-}
-
 /// Those of `names` that the breasts have.
 std::vector<const SearchedProperty*> chosen_of(const std::vector<std::string>& names,
                                                const MechanicalProperties& properties,
-                                               bool has_gland) {
+                                               const PropertiesOfPair& pair) {
   std::vector<const SearchedProperty*> chosen;
   for (const SearchedProperty& property : searched_properties()) {
     const std::string name = property.name;
     if (std::find(names.begin(), names.end(), name) != names.end() &&
-        (name != "gland ratio" || has_gland) &&
-        (name != "chest stiffness" || properties.chest_stiffness > 0.))
+        (name != "gland ratio" || pair.has_gland) &&
+        (name != "chest stiffness" || properties.chest_stiffness > 0.) &&
+        (name != "cut plane stiffness" || properties.cut_plane_stiffness > 0.) &&
+        (name != "gravity" || pair.can_tilt))
       chosen.push_back(&property);
   }
   return chosen;
 }
-
-constexpr double longest_step = 0.7; // of a logarithm, a factor of two
 
 /// Steps of one search.
 class Search {
@@ -79,12 +53,14 @@ public:
   void linearize() {
     derivatives_.assign(searched_.size(), std::vector<float>(residuals_.size(), 0.f));
     for (unsigned i = 0; i < searched_.size(); ++i) {
-      const double difference = searched_[i]->difference;
-      if (trials_.unload(moved(i, difference))) {
+      const SearchedProperty& property = *searched_[i];
+      MechanicalProperties moved = trials_.best();
+      property.set(moved, property.get(moved) + property.difference);
+      if (trials_.unload(moved)) {
         derivatives_[i] = trials_.residuals();
         for (std::size_t v = 0; v < residuals_.size(); ++v)
           derivatives_[i][v] =
-              static_cast<float>((derivatives_[i][v] - residuals_[v]) / difference);
+              static_cast<float>((derivatives_[i][v] - residuals_[v]) / property.difference);
       }
       trials_.return_to_best();
     }
@@ -116,38 +92,45 @@ public:
     set_equations();
   }
 
+  /// What the prior adds to the dissimilarity.
+  double prior(const MechanicalProperties& properties) const {
+    double sum = 0.;
+    for (const SearchedProperty* property : searched_)
+      sum += property->surprise(properties);
+    return prior_weight_ * sum;
+  }
+
   /// Where the damped step from the best state leads.
   MechanicalProperties step(double damping) const {
     const unsigned n = searched_.size();
-    FullMatrix<double> matrix(curvature_);
-    double largest = 0.;
-    for (unsigned i = 0; i < n; ++i)
-      largest = std::max(largest, curvature_(i, i));
-    if (!(largest > 0.)) // nothing changes the images
-      return trials_.best();
-    for (unsigned i = 0; i < n; ++i)
-      matrix(i, i) += damping * curvature_(i, i) + 1e-6 * largest;
-    Vector<double> change(n);
-    FullMatrix<double> inverse(n, n);
-    inverse.invert(matrix);
-    inverse.vmult(change, slope_);
     MechanicalProperties properties = trials_.best();
+    FullMatrix<double> matrix(curvature_);
+    Vector<double> slope(slope_), change(n);
+    double largest = 0.;
     for (unsigned i = 0; i < n; ++i) {
       const SearchedProperty& property = *searched_[i];
-      const double q =
-          property.get(properties) - std::clamp(change[i], -longest_step, longest_step);
+      largest = std::max(largest, curvature_(i, i));
+      const double information = prior_weight_ / (property.deviation * property.deviation);
+      matrix(i, i) += information;
+      slope[i] += information * (property.get(properties) - property.mean);
+    }
+    if (!(largest > 0.)) // nothing changes the images
+      return properties;
+    for (unsigned i = 0; i < n; ++i)
+      matrix(i, i) += damping * matrix(i, i) + 1e-6 * largest;
+    FullMatrix<double> inverse(n, n);
+    inverse.invert(matrix);
+    inverse.vmult(change, slope);
+    for (unsigned i = 0; i < n; ++i) {
+      const SearchedProperty& property = *searched_[i];
+      const double q = property.get(properties) -
+                       std::clamp(change[i], -property.longest_step, property.longest_step);
       property.set(properties, std::clamp(q, property.low, property.high));
     }
     return properties;
   }
 
 private:
-  MechanicalProperties moved(unsigned i, double difference) const {
-    MechanicalProperties properties = trials_.best();
-    searched_[i]->set(properties, searched_[i]->get(properties) + difference);
-    return properties;
-  }
-
   void set_equations() {
     const unsigned n = searched_.size();
     const auto product = [](const std::vector<float>& a, const std::vector<float>& b) {
@@ -160,6 +143,20 @@ private:
       for (unsigned j = 0; j < n; ++j)
         curvature_(i, j) = product(derivatives_[i], derivatives_[j]);
     }
+    prior_weight_ = trials_.prior_weight(least_value());
+  }
+
+  /// What linear residuals would leave of the dissimilarity. The prior is weighed by it, since what
+  /// the properties can explain is no error.
+  double least_value() const {
+    const unsigned n = searched_.size();
+    FullMatrix<double> matrix(curvature_), inverse(n, n);
+    for (unsigned i = 0; i < n; ++i)
+      matrix(i, i) += 1e-3 * curvature_(i, i) + std::numeric_limits<double>::min();
+    inverse.invert(matrix);
+    Vector<double> change(n);
+    inverse.vmult(change, slope_);
+    return std::max(trials_.best_value() - 0.5 * (slope_ * change), 0.);
   }
 
   const std::vector<const SearchedProperty*> searched_;
@@ -169,6 +166,7 @@ private:
   bool& is_exact_;
   FullMatrix<double> curvature_;
   Vector<double> slope_;
+  double prior_weight_ = 0.;
 };
 
 } // namespace
@@ -177,7 +175,8 @@ const std::vector<std::string>& property_names() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> names;
     for (const SearchedProperty& property : searched_properties())
-      names.emplace_back(property.name);
+      if (names.empty() || names.back() != property.name)
+        names.emplace_back(property.name);
     return names;
   }();
   return names;
@@ -186,7 +185,7 @@ const std::vector<std::string>& property_names() {
 void search_properties(const std::vector<std::string>& names, PropertyTrials& trials,
                        MaterialProgress& progress, unsigned max_steps, double least_gain,
                        bool to_the_end, const Keeper& keep) {
-  const auto chosen = chosen_of(names, trials.best(), trials.has_gland());
+  const auto chosen = chosen_of(names, trials.best(), trials.pair());
   if (chosen.empty())
     return;
   double& damping = progress.damping;
@@ -200,9 +199,10 @@ void search_properties(const std::vector<std::string>& names, PropertyTrials& tr
     const bool was_exact = search.is_exact();
     bool improved = false;
     for (unsigned attempt = 0; attempt < (was_exact ? 4 : 1) && !improved; ++attempt) {
-      const bool found = trials.unload(search.step(damping));
+      const MechanicalProperties next = search.step(damping);
+      const bool found = trials.unload(next);
       const double value = found ? trials.value() : 0.;
-      improved = found && value < before;
+      improved = found && value + search.prior(next) < before + search.prior(trials.best());
       damping = improved ? 0.1 * damping : std::max(10. * damping, 0.1);
       if (improved) {
         search.accept(value);
@@ -220,14 +220,16 @@ void search_properties(const std::vector<std::string>& names, PropertyTrials& tr
 
 std::vector<std::string> properties_at_bound(const std::vector<std::string>& names,
                                              const MechanicalProperties& properties,
-                                             bool has_gland) {
+                                             const PropertiesOfPair& pair) {
   constexpr double near = 1e-3; // of a logarithm
   std::vector<std::string> found;
-  for (const SearchedProperty* property : chosen_of(names, properties, has_gland)) {
+  for (const SearchedProperty* property : chosen_of(names, properties, pair)) {
     const double q = property->get(properties);
-    // Springs as soft as can be are those of tissue that slides freely.
-    const bool may_be_low = std::string(property->name) == "chest stiffness";
-    if ((q < property->low + near && !may_be_low) || q > property->high - near)
+    // Springs as soft as can be are those of tissue that slides freely, and a cut that hardly
+    // yields is as good as fixed.
+    const std::string name = property->name;
+    if ((q < property->low + near && name != "chest stiffness") ||
+        (q > property->high - near && name != "cut plane stiffness"))
       found.emplace_back(property->name);
   }
   return found;

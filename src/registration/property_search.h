@@ -23,7 +23,7 @@ void search_properties(const std::vector<std::string>& names, PropertyTrials& tr
 /// Names of the searched properties that are at an end of their range where no tissue should be.
 std::vector<std::string> properties_at_bound(const std::vector<std::string>& names,
                                              const MechanicalProperties& properties,
-                                             bool has_gland);
+                                             const PropertiesOfPair& pair);
 
 } // namespace prosup::registration
 

@@ -12,19 +12,41 @@ namespace {
 /// will, and no step of the search is worth the time.
 constexpr unsigned max_trial_steps = 3000;
 
+constexpr double filled_part = 0.5; // of the box around a breast
+
 } // namespace
 
-PropertyTrials::PropertyTrials(BreastPair& pair, Comparison comparison, const Log& log,
-                               const Observer& observer, MaterialProgress& progress)
+PropertiesOfPair::PropertiesOfPair(const BreastPair& pair)
+    : has_gland(pair.has_gland()),
+      can_tilt(pair.all([](const Breast& breast) { return breast.knows_gravity(); })) {}
+
+PropertyTrials::PropertyTrials(BreastPair& pair, Comparison comparison, double correlation_length,
+                               const Log& log, const Observer& observer, MaterialProgress& progress)
     : pair_(pair), comparison_(std::move(comparison)), log_(log), observer_(observer),
-      progress_(progress), best_properties_(pair.properties()) {
+      progress_(progress), has_(pair), best_properties_(pair.properties()) {
   pair_.save();
   if (progress_.grid.n_voxels() > 0)
     return;
   progress_.grid = comparison_.domain().grid;
+  progress_.n_independent =
+      correlation_length > 0.
+          ? pair_volume() / (correlation_length * correlation_length * correlation_length)
+          : 0.;
   progress_.n_accepted = 0;
   progress_.first_value = progress_.best_value = comparison_.value();
   report(progress_.best_value);
+}
+
+double PropertyTrials::pair_volume() const {
+  similarity::Box box;
+  pair_.for_each([&](Position, Breast& breast) { box.include(breast.unloaded_box()); });
+  const image::VoxelGrid grid =
+      similarity::common_grid(box, comparison_.level(), 0., pair_.ranks().world());
+  return filled_part * static_cast<double>(grid.n_voxels()) * grid.voxel_volume();
+}
+
+double PropertyTrials::prior_weight(double left) const {
+  return progress_.n_independent > 0. ? 2. * left / progress_.n_independent : 0.;
 }
 
 bool PropertyTrials::unload(const MechanicalProperties& properties) {
@@ -60,8 +82,14 @@ void PropertyTrials::report(double value) const {
   const mechanics::TissueStiffness& tissue = pair_.properties().tissue;
   std::string text = format("  level %g mm: mu %.1f Pa, nu %.3f, gland x %.2f", comparison_.level(),
                             tissue.shear_modulus, tissue.poisson_ratio, tissue.gland_ratio);
-  if (pair_.properties().chest_stiffness > 0.)
-    text += format(", chest %.2f Pa/mm", pair_.properties().chest_stiffness);
+  const MechanicalProperties& properties = pair_.properties();
+  if (properties.chest_stiffness > 0.)
+    text += format(", chest %.2f Pa/mm", properties.chest_stiffness);
+  if (properties.cut_plane_stiffness > 0.)
+    text += format(", cuts %.1f Pa/mm", properties.cut_plane_stiffness);
+  const auto [left, superior] = properties.tilt.degrees();
+  if (has_.can_tilt)
+    text += format(", supine gravity tilted %.1f left, %.1f up", left, superior);
   log_.line(text + format("; %s %.4g", comparison_.name().c_str(), value));
   if (observer_)
     observer_({"material", comparison_.level(), progress_.n_accepted, 0., value});

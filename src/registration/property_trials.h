@@ -7,17 +7,28 @@
 
 namespace prosup::registration {
 
+/// What of a pair decides which properties it has.
+struct PropertiesOfPair {
+  bool has_gland;
+  bool can_tilt; ///< its gravity
+
+  explicit PropertiesOfPair(const BreastPair& pair);
+};
+
 /// Unloads a pair with other mechanical properties, starting from the best state so far, and
 /// compares its breasts on one level.
 class PropertyTrials {
 public:
-  /// Begins the level, or goes on with it where `progress` has its grid.
-  PropertyTrials(BreastPair& pair, Comparison comparison, const Log& log, const Observer& observer,
-                 MaterialProgress& progress);
+  /// Begins the level, or goes on with it where `progress` has its grid. Residuals further apart
+  /// than `correlation_length` (mm) are taken for independent.
+  PropertyTrials(BreastPair& pair, Comparison comparison, double correlation_length, const Log& log,
+                 const Observer& observer, MaterialProgress& progress);
 
   double best_value() const { return progress_.best_value; }
   const MechanicalProperties& best() const { return best_properties_; }
-  bool has_gland() const { return pair_.has_gland(); }
+  const PropertiesOfPair& pair() const { return has_; }
+  /// The weight of MaterialUpdate's prior, beside the dissimilarity, of which `left` is error.
+  double prior_weight(double left) const;
 
   /// Unloads with these properties; false if no state was found.
   bool unload(const MechanicalProperties& properties);
@@ -29,12 +40,14 @@ public:
 
 private:
   void report(double value) const;
+  double pair_volume() const; // mm^3
 
   BreastPair& pair_;
   const Comparison comparison_;
   const Log& log_;
   const Observer& observer_;
   MaterialProgress& progress_;
+  const PropertiesOfPair has_;
   bool converged_ = true;
   MechanicalProperties best_properties_;
 };

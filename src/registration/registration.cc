@@ -64,8 +64,7 @@ void Registration::build() {
 
 void Registration::make_pair(const PerPosition<const mesh::MeshSource*>& meshers) {
   const BreastModel& model = parameters_.model;
-  const MechanicalProperties properties{model.material.initial(),
-                                        model.supports.chest_stiffness(files_.chest)};
+  const MechanicalProperties properties = initial_properties(model, files_.chest);
   const PerPosition<dealii::Tensor<1, 3>> gravity = this->gravity();
   const bool speaks = dealii::Utilities::MPI::max(int(log_.speaks()), ranks_.world()) > 0;
   pair_ = std::make_unique<BreastPair>(ranks_, properties, [&](Position position, MPI_Comm group) {

@@ -97,7 +97,12 @@ std::string value_of(const std::string& name, const MechanicalProperties& proper
     return format("%.3f", properties.tissue.poisson_ratio);
   if (name == "gland ratio")
     return format("%.2f", properties.tissue.gland_ratio);
-  return format("%.1f Pa/mm", properties.chest_stiffness);
+  if (name == "gravity") {
+    const auto [left, superior] = properties.tilt.degrees();
+    return format("supine tilted by %.0f degrees to the left and %.0f to the head", left, superior);
+  }
+  return format("%.1f Pa/mm", name == "chest stiffness" ? properties.chest_stiffness
+                                                        : properties.cut_plane_stiffness);
 }
 
 void judge_properties(const Quality& quality, Findings& findings) {

@@ -24,6 +24,7 @@ public:
   void set_material(const mechanics::Material& material);
   void add_force(const NodeVector& increment, double ramp_time);
   double adopt(const NodeVector& unloaded);
+  void set_gravity_direction(const dealii::Tensor<1, 3>& direction);
   void hold_reference() { holds_reference_ = true; }
   Snapshot save() const;
   void restore(const Snapshot& snapshot);
@@ -61,7 +62,7 @@ private:
   const UnloadingParameters& parameters_;
   mechanics::Supports& supports_;
   const mechanics::Body& body_;
-  const dealii::Tensor<1, 3> gravity_; // acceleration
+  dealii::Tensor<1, 3> gravity_; // acceleration
   const std::string name_;
   mechanics::InternalForce internal_force_;
   mechanics::HighestFrequency highest_frequency_;

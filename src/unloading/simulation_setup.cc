@@ -88,6 +88,10 @@ void Unloading::Simulation::set_material(const mechanics::Material& material) {
   update_time_step(loop_.caution().step_safety);
 }
 
+void Unloading::Simulation::set_gravity_direction(const Tensor<1, 3>& direction) {
+  gravity_ = gravity_vector(parameters_, direction);
+}
+
 void Unloading::Simulation::add_force(const NodeVector& increment, double ramp_time) {
   state_.force += state_.force_increment;
   std::copy_n(increment.begin(), 3 * body_.n_owned_nodes(), state_.force_increment.begin());

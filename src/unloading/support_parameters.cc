@@ -106,15 +106,18 @@ void SupportParameters::declare_parameters(ParameterHandler& prm) {
                     Patterns::Double(1e-3, 1e9));
   prm.add_parameter(
       "Cut planes", cut_planes_,
-      "What holds tissue that is cut off by the border of the image. common: it is fixed where "
-      "the image in the other position shows tissue too; tissue that has bulged across the border "
-      "is free. fixed: all of it is fixed. sliding: it moves in the plane, held by springs of the "
-      "stiffness below. elastic: springs alone. free: nothing.",
-      Patterns::Selection("common|fixed|sliding|elastic|free"));
-  prm.add_parameter("Cut plane stiffness", cut_plane_stiffness_,
-                    "Stiffness of the springs that represent the tissue beyond a sliding or "
-                    "elastic cut plane, about mu over its width. Units: Pa/mm.",
-                    Patterns::Double(0., 1e6));
+      "What holds tissue that is cut off by the border of the image. yielding: springs of the "
+      "stiffness below, where the image in the other position shows tissue too; tissue that has "
+      "bulged across the border is free. common: the same, but fixed. fixed: all of it is fixed. "
+      "sliding: it moves in the plane, held by springs. elastic: springs on all of it. free: "
+      "nothing.",
+      Patterns::Selection("yielding|common|fixed|sliding|elastic|free"));
+  prm.add_parameter(
+      "Cut plane stiffness", cut_plane_stiffness_,
+      "Stiffness of the springs that represent the tissue beyond a cut plane, between "
+      "mu and its P-wave modulus over the width of that tissue. A registration "
+      "starts from it and finds the stiffness that suits both images. Units: Pa/mm.",
+      Patterns::Double(0., 1e6));
   prm.add_parameter("Contact stiffness", contact_stiffness,
                     "Penalty with which Newton's method keeps tissue on the chest wall: pressure "
                     "over distance from it. Units: Pa/mm.",
@@ -152,8 +155,10 @@ void SupportParameters::add_cut_planes(const image::VoxelGrid& grid, const image
                                        Supports& supports) const {
   if (cut_planes_ == "fixed")
     supports.fix({cut_plane});
+  const FaceFilter held =
+      need_other_labels() && !other.values.empty() ? held_beyond(other) : nullptr;
   if (cut_planes_ == "common")
-    supports.fix({cut_plane}, other.values.empty() ? FaceFilter() : held_beyond(other));
+    supports.fix({cut_plane}, held);
   if (cut_planes_ == "sliding")
     for (unsigned d = 0; d < 3; ++d) {
       Tensor<1, 3> axis;
@@ -162,8 +167,8 @@ void SupportParameters::add_cut_planes(const image::VoxelGrid& grid, const image
       supports.slide_on(std::make_shared<mechanics::ParallelPlanes>(axis), {cut_plane},
                         ContactLaw::tied, least_alignment);
     }
-  if ((cut_planes_ == "sliding" || cut_planes_ == "elastic") && cut_plane_stiffness_ > 0.)
-    supports.add_springs({cut_plane}, cut_plane_stiffness_);
+  if (cut_plane_stiffness() > 0.)
+    supports.add_springs({cut_plane}, cut_plane_stiffness_, held);
 }
 
 } // namespace prosup::unloading

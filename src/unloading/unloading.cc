@@ -18,6 +18,10 @@ void Unloading::set_material(const mechanics::Material& material) {
   simulation_->set_material(material);
 }
 
+void Unloading::set_gravity_direction(const dealii::Tensor<1, 3>& direction) {
+  simulation_->set_gravity_direction(direction);
+}
+
 void Unloading::add_force(const NodeVector& increment, double ramp_time) {
   simulation_->add_force(increment, ramp_time);
 }

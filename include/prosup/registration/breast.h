@@ -22,6 +22,8 @@ public:
 
   /// Whether it has gland as well as fat.
   virtual bool has_gland() const = 0;
+  /// Whether the tilt of gravity among its properties has an effect.
+  virtual bool knows_gravity() const { return false; }
   /// Goes on from the present state with other properties.
   virtual void set_properties(const MechanicalProperties& properties) = 0;
 

@@ -48,6 +48,9 @@ struct BreastModel {
   fdm::FdmParameters fdm;
 };
 
+/// The properties to start with.
+MechanicalProperties initial_properties(const BreastModel& model, unloading::ChestCondition chest);
+
 /// What belongs to one breast and not to the method.
 struct BreastInput {
   Position position;

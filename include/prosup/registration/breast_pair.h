@@ -26,6 +26,8 @@ public:
   /// Calls `work` for each breast that this rank holds.
   void for_each(const std::function<void(Position, Breast&)>& work) const;
 
+  /// Whether `is_so` holds for both breasts. Collective on the world.
+  bool all(const std::function<bool(Breast&)>& is_so) const;
   /// Whether either breast has gland.
   bool has_gland() const;
   const MechanicalProperties& properties() const { return properties_; }

@@ -26,12 +26,14 @@ public:
     mesh::TetMesh
         mesh; ///< that of Body::cells() on the first rank; empty if mesh() is not asked for
     mesh::TetMesh coarse{}; ///< where the body was made of a coarser one (quadratic elements)
+    dealii::Tensor<1, 3> gravity{}; ///< direction without tilt; 0: what `unloading` has is kept
   };
 
   /// Keeps a reference to the material.
   ElementBreast(Position position, Parts parts, const mechanics::TissueMaterial& material);
 
   bool has_gland() const override;
+  bool knows_gravity() const override { return parts_.gravity.norm() > 0.; }
   void set_properties(const MechanicalProperties& properties) override;
 
   settling::SettlingResult unload(unsigned max_steps = 0) override;

@@ -22,14 +22,15 @@ struct MaterialUpdateResult {
 /// which is the best state found.
 struct MaterialProgress {
   MaterialUpdateResult result;
-  unsigned level = 0;      ///< index of the level at work
-  image::VoxelGrid grid;   ///< of its comparison; without voxels before it begins
-  double first_value = 0.; ///< of the metric, at the begin of the level
-  double best_value = 0.;  ///< of the metric
-  unsigned n_accepted = 0; ///< steps on the level
-  double damping = 0.;     ///< of the next step of the search
-  bool is_exact = false;   ///< the derivatives are differences
-  bool walks_back = false; ///< stepwise makes the tissue softer
+  unsigned level = 0;        ///< index of the level at work
+  image::VoxelGrid grid;     ///< of its comparison; without voxels before it begins
+  double first_value = 0.;   ///< of the metric, at the begin of the level
+  double best_value = 0.;    ///< of the metric
+  unsigned n_accepted = 0;   ///< steps on the level
+  double damping = 0.;       ///< of the next step of the search
+  double n_independent = 0.; ///< measurements that the images count for; 0: no prior
+  bool is_exact = false;     ///< the derivatives are differences
+  bool walks_back = false;   ///< stepwise makes the tissue softer
   std::vector<std::vector<float>> derivatives; ///< of the residuals by each property
 };
 
@@ -48,6 +49,11 @@ struct MaterialProgress {
 ///
 /// Images of different contrast are compared by their labelled tissues (Compared::tissues):
 /// residuals of mutual information and correlation say nothing about breasts that are far apart.
+///
+/// The prior of the properties (src/registration/searched_property.cc) adds
+///   2 S/n sum_i 1/2 ((q_i - m_i)/s_i)^2,   n = V/L^3,
+/// to the S that is minimised: the logarithm of the posterior where n independent residuals have
+/// the variance that is left.
 ///
 /// stepwise: the paper's. Multiplies the shear modulus (and with it lambda) by a
 /// constant factor, stiffer or softer, and goes on while the similarity improves;
@@ -73,6 +79,7 @@ private:
   std::vector<double> levels_{8., 4.};
   unsigned max_steps_ = 20;
   double least_gain_ = 0.02;
+  double correlation_length_ = 20.;
   double factor_ = 1.1;
 };
 

@@ -48,8 +48,15 @@ public:
     return chest == ChestCondition::fixed ? 0. : chest_stiffness_;
   }
 
+  /// Stiffness of the springs on cut planes, Pa/mm; 0 if there are none.
+  double cut_plane_stiffness() const {
+    return cut_planes_ == "yielding" || cut_planes_ == "sliding" || cut_planes_ == "elastic"
+               ? cut_plane_stiffness_
+               : 0.;
+  }
+
   /// Whether make() needs `other`.
-  bool need_other_labels() const { return cut_planes_ == "common"; }
+  bool need_other_labels() const { return cut_planes_ == "common" || cut_planes_ == "yielding"; }
 
   double contact_stiffness = 5e4; ///< of Newton's penalty, Pa/mm
 
@@ -63,8 +70,8 @@ private:
   double chest_smoothing_ = 1.5;
   std::string contact_method_ = "projection";
   mechanics::GradualCorrection gradual_;
-  std::string cut_planes_ = "common";
-  double cut_plane_stiffness_ = 5.;
+  std::string cut_planes_ = "yielding";
+  double cut_plane_stiffness_ = 40.;
 };
 
 } // namespace prosup::unloading

@@ -52,6 +52,10 @@ public:
   /// the first step.
   void set_material(const mechanics::Material& material);
 
+  /// Turns gravity into the direction of this vector in LPS, of any positive length. The state is
+  /// kept. @throws Error if the vector is zero.
+  void set_gravity_direction(const dealii::Tensor<1, 3>& direction);
+
   /// Adds nodal forces (owned nodes, g mm/s^2; for example the image forces of eq. 15),
   /// which rise linearly from 0 over the next `ramp_time` seconds.
   void add_force(const NodeVector& increment, double ramp_time);

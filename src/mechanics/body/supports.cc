@@ -25,8 +25,8 @@ void Supports::slide_on(std::shared_ptr<const Surface> surface, const BoundaryId
   contacts_.remove(fixed_);
 }
 
-void Supports::add_springs(const BoundaryIds& ids, double stiffness) {
-  springs_.push_back({ids, stiffness});
+void Supports::add_springs(const BoundaryIds& ids, double stiffness, const FaceFilter& counts) {
+  springs_.push_back({ids, faces_on_boundary(body_, ids, counts), stiffness});
 }
 
 void Supports::set_springs_on(types::boundary_id id, double stiffness) {
@@ -41,7 +41,7 @@ bool Supports::hold_anything() const {
   };
   bool here = !contacts_.nodes().empty() || any(fixed_);
   for (const Springs& springs : springs_)
-    here = any(nodes_on_boundary(body_, springs.ids)) || here;
+    here = !springs.faces.empty() || here;
   return Utilities::MPI::max(static_cast<int>(here), body_.communicator()) > 0;
 }
 
@@ -50,7 +50,7 @@ void Supports::set_reference(const NodeVector& unloaded) {
     return;
   spring_stiffness_.assign(body_.n_local_nodes(), 0.);
   for (const Springs& springs : springs_) {
-    const std::vector<double> area = lumped_area(body_, springs.ids, unloaded);
+    const std::vector<double> area = lumped_area(body_, springs.faces, unloaded);
     for (unsigned node = 0; node < area.size(); ++node)
       if (!fixed_[node])
         spring_stiffness_[node] += springs.stiffness * area[node];

@@ -161,6 +161,23 @@ TEST(Supports, SpringsPullBackInProportionToTheirArea) {
   EXPECT_NEAR(Utilities::MPI::sum(sum, MPI_COMM_WORLD), -8. * 400., 1e-6);
 }
 
+TEST(Supports, SpringsActOnFacesThatPassTheFilter) {
+  const auto mesh = make_box(MPI_COMM_WORLD, {4, 2, 2}, size);
+  const Body body(*mesh);
+  Supports supports(body);
+  supports.add_springs(
+      {2}, 8., [](const Tensor<1, 3>& centre, const Tensor<1, 3>&) { return centre[0] < 5.; });
+  supports.set_reference(body.vertex_positions());
+  double sum = 0.;
+  for (unsigned node = 0; node < body.n_owned_nodes(); ++node) {
+    sum += supports.spring_stiffness()[node];
+    if (node_value(body.vertex_positions(), node)[0] > 5.01) {
+      EXPECT_EQ(supports.spring_stiffness()[node], 0.);
+    }
+  }
+  EXPECT_NEAR(Utilities::MPI::sum(sum, MPI_COMM_WORLD), 8. * 100., 1e-6);
+}
+
 TEST(SupportForce, TangentsAreItsDerivatives) {
   const SupportedBox box;
   const auto nodal_force = support_force(box.supports, 1000.);

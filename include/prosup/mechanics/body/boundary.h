@@ -15,14 +15,22 @@ using BoundaryIds = std::set<dealii::types::boundary_id>;
 using FaceFilter =
     std::function<bool(const dealii::Tensor<1, 3>& centre, const dealii::Tensor<1, 3>& normal)>;
 
+/// Numbers, in Body::boundary_faces(), of the faces with one of `ids` that pass the filter, if
+/// there is one. Local.
+std::vector<std::size_t> faces_on_boundary(const Body& body, const BoundaryIds& ids,
+                                           const FaceFilter& counts = {});
+
 /// For each local node, whether it lies on a boundary face with one of `ids` that passes the
 /// filter, if there is one. Collective.
 std::vector<bool> nodes_on_boundary(const Body& body, const BoundaryIds& ids,
                                     const FaceFilter& counts = {});
 
-/// Area of the boundary faces with one of `ids`, lumped to the local nodes, mm^2, with nodes at
-/// `positions`: a third of a linear face at each corner; 1/12 at the corners and 1/4 at the edges
-/// of a quadratic one. Collective.
+/// Area of the given boundary faces of this and other ranks, lumped to the local nodes, mm^2, with
+/// nodes at `positions`: a third of a linear face at each corner; 1/12 at the corners and 1/4 at
+/// the edges of a quadratic one. Collective.
+std::vector<double> lumped_area(const Body& body, const std::vector<std::size_t>& faces,
+                                const NodeVector& positions);
+/// The same for the boundary faces with one of `ids`. Collective.
 std::vector<double> lumped_area(const Body& body, const BoundaryIds& ids,
                                 const NodeVector& positions);
 

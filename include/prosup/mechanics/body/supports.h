@@ -24,8 +24,8 @@ public:
   /// The nodes of these boundaries slide, see ContactSurfaces::add.
   void slide_on(std::shared_ptr<const Surface> surface, const BoundaryIds& ids, ContactLaw law,
                 double least_alignment = 0.);
-  /// Adds springs of `stiffness` (Pa/mm) to these boundaries.
-  void add_springs(const BoundaryIds& ids, double stiffness);
+  /// Adds springs of `stiffness` (Pa/mm) to these boundaries; with a filter, to faces that pass it.
+  void add_springs(const BoundaryIds& ids, double stiffness, const FaceFilter& counts = {});
   /// Changes the stiffness (Pa/mm) of all springs on this boundary, from the next
   /// set_reference() on. Local.
   void set_springs_on(dealii::types::boundary_id id, double stiffness);
@@ -52,7 +52,8 @@ public:
 private:
   struct Springs {
     BoundaryIds ids;
-    double stiffness; ///< Pa/mm
+    std::vector<std::size_t> faces; ///< numbers in Body::boundary_faces()
+    double stiffness;               ///< Pa/mm
   };
 
   const Body& body_;

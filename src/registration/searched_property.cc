@@ -1,0 +1,50 @@
+#include "searched_property.h"
+
+#include <cmath>
+
+namespace prosup::registration {
+
+namespace {
+
+constexpr double degree = 3.14159265358979323846 / 180.;
+
+/// An angle of the tilt. Patients lie tilted by some degrees: 5 to 10 in the pairs looked at.
+template <typename Get, typename Set>
+SearchedProperty angle(Get get, Set set) {
+  return {"gravity",     get,          set, 4. * degree, 8. * degree,
+          -25. * degree, 25. * degree, 0.,  6. * degree};
+}
+
+} // namespace
+
+// Priors. Shear modulus: 100 to 1000 Pa were found in vivo from gravity (Eiben et al. 2016, Han et
+// al. 2014), far below those of excised tissue. Poisson's ratio: tissue changes its volume by
+// little, while blood and water leave. Gland over fat: 1 to 5 (Ramiao et al. 2016). Springs: the
+// shear modulus over a layer of fascia of some ten mm; beyond a cut, tissue gives way by mu to
+// (lambda + 2 mu) over its width, or hardly at all over bone.
+const std::vector<SearchedProperty>& searched_properties() {
+  using P = MechanicalProperties;
+  static const std::vector<SearchedProperty> all{
+      {"shear modulus", [](const P& p) { return std::log(p.tissue.shear_modulus); },
+       [](P& p, double q) { p.tissue.shear_modulus = std::exp(q); }, 0.1, 0.7, std::log(10.),
+       std::log(1e5), std::log(300.), 0.7},
+      // log(1 - 2 nu): the bulk modulus over the shear modulus is 1/(1 - 2 nu) - 1/3
+      {"Poisson ratio", [](const P& p) { return std::log(1. - 2. * p.tissue.poisson_ratio); },
+       [](P& p, double q) { p.tissue.poisson_ratio = 0.5 * (1. - std::exp(q)); }, -0.2, 0.7,
+       std::log(0.02), std::log(0.5), std::log(0.06), 0.7},
+      {"gland ratio", [](const P& p) { return std::log(p.tissue.gland_ratio); },
+       [](P& p, double q) { p.tissue.gland_ratio = std::exp(q); }, 0.2, 0.7, std::log(0.3),
+       std::log(10.), std::log(2.), 0.6},
+      {"chest stiffness", [](const P& p) { return std::log(p.chest_stiffness); },
+       [](P& p, double q) { p.chest_stiffness = std::exp(q); }, 0.2, 0.7, std::log(0.1),
+       std::log(500.), std::log(8.), 1.2},
+      {"cut plane stiffness", [](const P& p) { return std::log(p.cut_plane_stiffness); },
+       [](P& p, double q) { p.cut_plane_stiffness = std::exp(q); }, 0.3, 1., std::log(1.),
+       std::log(2000.), std::log(40.), 2.5},
+      angle([](const P& p) { return p.tilt.left; }, [](P& p, double q) { p.tilt.left = q; }),
+      angle([](const P& p) { return p.tilt.superior; },
+            [](P& p, double q) { p.tilt.superior = q; })};
+  return all;
+}
+
+} // namespace prosup::registration
