@@ -47,13 +47,17 @@ simulation
    soft modes, in which a small |x - u - X| means a larger error of X;
 4. after a stall, takes the damping from the lowest frequency if it was fixed and more
    than three times too high or too low.
+5. if the breast slides and has never settled: after a stall in which a few sliding nodes alone have
+   not settled (at most 3 % of those that slide), holds these where they are, and changes nothing
+   else; at the third return begins anew with all of the chest held. Both are warnings of
+   `summary.json` ([supports.md](supports.md)).
 
 Each return is logged. After `Unloading/Maximum retries` returns the program gives up
 and reports the first element that collapsed, its place in the loaded mesh and its J, the
 softness rho g L/mu, and the part of the weight for which it does find an unloaded
 state. It searches for that part in five short runs, each from the last one that
 settled. The part is a lower bound: Newton's method, where the table has it, gets
-further. A simulation that neither settles nor diverges stops at `Maximum steps`,
+further. `unload` and `load` write the last good state then. A simulation that neither settles nor diverges stops at `Maximum steps`,
 is marked as not converged, and says why.
 
 The finite differences share this policy (module `settling`), but for what

@@ -134,6 +134,8 @@ void RegisterPipeline::unload() {
   for (const Position position : both_positions) {
     note(results[position].n_steps);
     run_.log().line(describe(name_of(position), results[position]));
+    for (const std::string& remark : results[position].remarks)
+      run_.remarks().add(remark);
   }
   quality_.unloaded = registration_.agreement(false);
   evaluate(run_.summary().tre.unloaded);

@@ -126,6 +126,23 @@ void SingleStateJob::build() {
                                       world_);
 }
 
+/// A breast that does not settle leaves its last good state, for inspection.
+void SingleStateJob::simulate_explicitly() {
+  output::Summary& summary = run_.summary();
+  summary.converged = false;
+  try {
+    const settling::SettlingResult result = settle(*breast_);
+    run_.log().line(describe(name_, result));
+    for (const std::string& remark : result.remarks)
+      run_.remarks().add(remark);
+    summary.steps = steps_before_ + result.n_steps;
+    summary.converged = result.converged;
+  } catch (const DivergenceError& error) {
+    run_.remarks().add(error.what());
+  }
+  mesh_ = breast_->mesh();
+}
+
 void SingleStateJob::simulate() {
   output::Summary& summary = run_.summary();
   registration::ElementBreast* elements = breast_->elements();
@@ -135,11 +152,7 @@ void SingleStateJob::simulate() {
         summary.steps = steps_before_ + n_steps;
         keep(false);
       });
-    const settling::SettlingResult result = settle(*breast_);
-    run_.log().line(describe(name_, result));
-    summary.steps = steps_before_ + result.n_steps;
-    summary.converged = result.converged;
-    mesh_ = breast_->mesh();
+    simulate_explicitly();
   } else {
     const unloading::UnloadingParameters& load = parameters_.model().unloading;
     const dealii::Tensor<1, 3>& direction = parameters_.case_files.files().gravity[position_];

@@ -72,6 +72,7 @@ private:
   void check();
   void build();
   void simulate();
+  void simulate_explicitly();
   /// Takes breast and progress from the last checkpoint if it is wanted and there.
   void restart();
   void keep(bool is_done);

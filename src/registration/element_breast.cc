@@ -3,8 +3,10 @@
 #include <utility>
 
 #include "prosup/core/collective.h"
+#include "prosup/image/body_labels.h"
 #include "prosup/mesh/deformation.h"
 #include "prosup/mesh/distributed.h"
+#include "prosup/mesh/quality.h"
 #include "prosup/mesh/refine.h"
 #include "steps_within.h"
 
@@ -16,6 +18,9 @@ using mechanics::NodeVector;
 using settling::SettlingResult;
 
 namespace {
+
+constexpr double shorter_edge = 0.87;   // of what was asked for
+constexpr double worth_a_remark = 0.02; // of the faces of a base
 
 constexpr auto chest_wall = static_cast<types::boundary_id>(mesh::BoundaryPart::chest_wall);
 constexpr auto cut_plane = static_cast<types::boundary_id>(mesh::BoundaryPart::cut_plane);
@@ -41,7 +46,11 @@ void ElementBreast::set_properties(const MechanicalProperties& properties) {
 }
 
 SettlingResult ElementBreast::unload(unsigned max_steps) {
-  return unloading().run(max_steps);
+  SettlingResult result = unloading().run(max_steps);
+  result.remarks = parts_.remarks;
+  const auto& more = unloading().remarks();
+  result.remarks.insert(result.remarks.end(), more.begin(), more.end());
+  return result;
 }
 
 SettlingResult ElementBreast::load() {
@@ -106,13 +115,71 @@ mesh::UnloadedMesh ElementBreast::mesh() const {
   return result;
 }
 
+namespace {
+
+/// The labels with what they leave unsaid, up to where they end flat; says what was assumed.
+image::LabelImage completed_labels(const image::LabelImage& given, const BreastInput& input,
+                                   std::vector<std::string>& remarks) {
+  const char* const name = name_of(input.position);
+  std::size_t n_filled = 0;
+  const image::LabelImage labels =
+      image::with_inside_of_chest(given, input.scene.chest_label, &n_filled);
+  if (n_filled > 0)
+    input.log.line(format("  %s: %.3g ml of air behind the chest label taken for chest", name,
+                          1e-3 * double(n_filled) * given.grid.voxel_volume()));
+  const std::vector<image::FlatEnd> ends = image::flat_ends(labels, input.scene.chest_label);
+  for (const image::FlatEnd& end : ends) {
+    Tensor<1, 3> outwards;
+    for (unsigned c = 0; c < 3; ++c)
+      outwards[c] = (end.is_upper ? 1. : -1.) * given.grid.direction[c][end.axis];
+    remarks.push_back(format(
+        "The mask of the %s breast ends flat inside the image, on %.0f mm2 facing (%.2g, %.2g, "
+        "%.2g); this was taken for a cut plane, not for skin, so label what lies beyond it, or "
+        "crop the image there.",
+        name, end.area, outwards[0], outwards[1], outwards[2]));
+  }
+  return ends.empty() ? labels : image::cropped_to(labels, ends);
+}
+
+/// The mesher takes shorter edges where thin parts of the mask make it fail.
+void tell_shorter_edges(const mesh::TetMesh& mesh, double wanted, Position position,
+                        std::vector<std::string>& remarks) {
+  const mesh::MeshQuality quality = mesh::measure_quality(mesh);
+  if (quality.mean_edge < shorter_edge * wanted)
+    remarks.push_back(format("Thin parts of the mask made the %s breast need shorter edges, %.2g "
+                             "mm instead of 'Meshing/Edge length' = %g, and %zu cells; cut thin "
+                             "folds and islands from the mask.",
+                             name_of(position), quality.mean_edge, wanted, quality.n_cells));
+}
+
+/// Says how much of the base does not slide although it should.
+void tell_held(const unloading::BaseFaces& faces, const BreastInput& input,
+               std::vector<std::string>& remarks) {
+  if (faces.n_held == 0)
+    return;
+  const std::string text = format("%u of %u faces of the base of the %s breast", faces.n_held,
+                                  faces.n_all, name_of(input.position));
+  input.log.line("  " + text + " are held: the chest has no clear normal there");
+  if (faces.n_held > worth_a_remark * faces.n_all)
+    remarks.push_back(text + " do not slide, since the chest label has no clear normal there; "
+                             "smooth it, or take 'Case/Chest' = fixed.");
+}
+
+} // namespace
+
 std::unique_ptr<ElementBreast>
 make_element_breast(const BreastModel& model, const BreastInput& input, MPI_Comm communicator) {
-  const image::LabelImage& labels = input.scene.labels[input.position];
+  const image::LabelImage& given = input.scene.labels[input.position];
+  std::vector<std::string> remarks;
+  const image::LabelImage labels = completed_labels(given, input, remarks);
   const mesh::MeshSource& mesher = input.mesher == nullptr ? model.mesher : *input.mesher;
   const mechanics::Element element = model.elements.element();
   ElementBreast::Parts parts;
-  on_root(communicator, [&] { parts.mesh = mesher.mesh(labels); });
+  on_root(communicator, [&] {
+    parts.mesh = mesher.mesh(labels);
+    if (input.mesher == nullptr)
+      tell_shorter_edges(parts.mesh, model.mesher.edge_length, input.position, remarks);
+  });
   parts.body =
       std::make_unique<mechanics::Body>(*mesh::make_distributed(parts.mesh, communicator), element);
   if (element.degree() == 2)
@@ -122,9 +189,12 @@ make_element_breast(const BreastModel& model, const BreastInput& input, MPI_Comm
     });
   input.log.line(format("  %s: %zu cells, %zu nodes", name_of(input.position),
                         parts.mesh.cells.size(), parts.mesh.points.size()));
-  parts.supports =
-      model.supports.make(input.chest, *parts.body, labels,
-                          input.scene.labels[other(input.position)], input.scene.chest_label);
+  unloading::BaseFaces faces;
+  parts.supports = model.supports.make(input.chest, *parts.body, labels,
+                                       input.scene.labels[other(input.position)],
+                                       input.scene.chest_label, &faces);
+  tell_held(faces, input, remarks);
+  parts.remarks = std::move(remarks);
   parts.unloading = std::make_unique<unloading::Unloading>(
       model.unloading, *parts.supports, input.gravity, name_of(input.position), input.log);
   parts.gravity = input.gravity;

@@ -1,5 +1,7 @@
 #include "prosup/registration/material_update.h"
 
+#include <algorithm>
+
 #include "property_search.h"
 #include "prosup/core/parameters.h"
 
@@ -75,6 +77,12 @@ void MaterialUpdate::declare_parameters(ParameterHandler& prm) {
       "Factor on the shear modulus of one step of stepwise, used both ways (paper: 1.1 clinical, "
       "1.2 phantom). Units: none.",
       Patterns::Double(1.0001, 10.));
+}
+
+bool MaterialUpdate::searches() const {
+  return method_ == "stepwise" ||
+         (method_ == "search" && std::find(properties_.begin(), properties_.end(),
+                                           property_names().front()) != properties_.end());
 }
 
 MaterialUpdateResult MaterialUpdate::run(BreastPair& pair, const ComparedImages& images,

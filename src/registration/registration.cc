@@ -5,11 +5,20 @@
 #include <utility>
 
 #include "prosup/core/collective.h"
+#include "prosup/core/error.h"
 #include "prosup/image/broadcast.h"
 
 namespace prosup::registration {
 
 using settling::SettlingResult;
+
+namespace {
+
+// A breast that is too soft for its weight becomes stiffer by this factor, so many times.
+constexpr double stiffening = 1.5;
+constexpr unsigned most_stiffenings = 3;
+
+} // namespace
 
 Registration::Registration(const RegistrationParameters& parameters, MPI_Comm world, const Log& log)
     : parameters_(parameters), log_(log), ranks_(world),
@@ -75,11 +84,35 @@ void Registration::make_pair(const PerPosition<const mesh::MeshSource*>& meshers
   });
 }
 
+/// A body that is too soft to have an unloaded state becomes stiffer: the search of the properties
+/// has to start where there is one.
+PerPosition<SettlingResult> Registration::unload_stiff_enough() {
+  MechanicalProperties properties = pair_->properties();
+  std::vector<std::string> remarks;
+  for (unsigned n = 0;; ++n)
+    try {
+      PerPosition<SettlingResult> results = pair_->unload();
+      results.prone.remarks.insert(results.prone.remarks.end(), remarks.begin(), remarks.end());
+      return results;
+    } catch (const Error& error) {
+      if (n == most_stiffenings || !parameters_.material_update.searches())
+        throw;
+      properties.tissue.shear_modulus *= stiffening;
+      remarks = {format("With 'Material/Shear modulus' as given a breast has no unloaded state "
+                        "that could be found, so the search of the properties starts from %.4g Pa.",
+                        properties.tissue.shear_modulus)};
+      log_.line("  " + std::string(error.what()) +
+                format("\n  Once more with %.4g Pa", properties.tissue.shear_modulus));
+      make_pair({mesher_, mesher_});
+      pair_->set_properties(properties);
+    }
+}
+
 PerPosition<SettlingResult> Registration::unload() {
   if (!pair_)
     build();
   if (resumed_ < Stage::unloaded) {
-    unloaded_ = pair_->unload();
+    unloaded_ = unload_stiff_enough();
     converged_ = unloaded_.prone.converged && unloaded_.supine.converged;
     material_ = {};
     forces_ = {};

@@ -10,7 +10,7 @@ namespace prosup::settling {
 namespace {
 
 // Bisection, to 1/32 of gravity.
-constexpr unsigned n_tries = 5, steps_per_try = 6000;
+constexpr unsigned n_tries = 5, steps_per_try = 3000;
 
 } // namespace
 
@@ -18,8 +18,7 @@ constexpr unsigned n_tries = 5, steps_per_try = 6000;
 /// that they fail: it is not searched.
 std::string Settling::search_load() {
   if (has_settled_ || is_searching_ || !simulation_.has_gravity())
-    return "; the body may be too soft for its load, so raise 'Material/Shear modulus' or check "
-           "the mask and mesh there";
+    return "; " + simulation_.advice();
   log_.line("  " + description_.name +
             ": looking for the part of its weight under which it settles");
   const Snapshot last_good = last_good_;
@@ -51,9 +50,8 @@ std::string Settling::search_load() {
         "; %s was not even found for %.2f of the weight, so check the mask and mesh there, "
         "and 'Material'",
         state, failed);
-  return format("; %s exists up to %.2f of the weight and was not found for %.2f, so raise "
-                "'Material/Shear modulus' or check the mask and mesh there",
-                state, settled, failed);
+  return format("; %s exists up to %.2f of the weight at least, and none was found for %.2f; %s",
+                state, settled, failed, simulation_.advice().c_str());
 }
 
 bool Settling::settles() {

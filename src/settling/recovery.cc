@@ -48,6 +48,10 @@ void Settling::retreat(const std::string& what, Trouble trouble, SettlingResult&
       simulation_.strengthen_damping();
     be_safer(trouble, remedy.is_sufficient);
   }
+  if (remedy.starts_anew) {
+    caution_ = caution_at_begin_;
+    last_good_ = first_;
+  }
   simulation_.restore(last_good_);
   simulation_.stop();
   if (!may_retry)

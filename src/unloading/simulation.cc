@@ -13,6 +13,14 @@ namespace prosup::unloading {
 using namespace dealii;
 using mechanics::node_value;
 
+namespace {
+
+// A body that slides and has never settled gets as many returns with more caution before its chest
+// is held.
+constexpr unsigned troubles_before_holding = 3;
+
+} // namespace
+
 settling::Report Unloading::Simulation::advance(unsigned n_steps, double gravity_ramp) {
   const double duration = n_steps * integrator_.time_step();
   state_.time += duration;
@@ -150,12 +158,16 @@ void Unloading::Simulation::load_between(double from, double to) {
   state_.loading = 0.;
 }
 
-/// A fixed damping rate that is far off keeps a body from settling.
+/// A fixed damping rate that is far off keeps a body from settling, and so do single nodes that
+/// jump to and fro on a chest without a clear normal.
 settling::Remedy Unloading::Simulation::mend(settling::Trouble trouble) {
-  if (trouble == settling::Trouble::stall &&
-      damping_.mend_fixed_rate(integrator_, state_.displacement, external_force_))
+  if (!loop_.has_settled() && ++n_troubles_ == troubles_before_holding)
+    return hold_chest();
+  if (trouble != settling::Trouble::stall)
+    return {};
+  if (damping_.mend_fixed_rate(integrator_, state_.displacement, external_force_))
     return {"damping from the lowest frequency"};
-  return {};
+  return hold_stalled_nodes();
 }
 
 std::string Unloading::Simulation::worst_cell() {

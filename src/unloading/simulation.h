@@ -32,6 +32,7 @@ public:
   mechanics::NodeMemory memory() const;
   void recall(const mechanics::NodeMemory& memory);
 
+  const std::vector<std::string>& remarks() const { return remarks_; }
   const Snapshot& state() const { return state_; } ///< but for the velocity
   settling::Settling& loop() { return loop_; }
 
@@ -51,11 +52,15 @@ public:
   void strengthen_damping() override { damping_.strengthen(); }
   std::string worst_cell() override;
   std::string softness() const override;
+  std::string advice() const override;
 
 private:
   void check() const;
   void update_reference();
   void update_external_force();
+  settling::Remedy hold_stalled_nodes();
+  settling::Remedy hold_chest();
+  void hold(const std::vector<bool>& nodes);
   settling::Report report() const;
   double max_distance() const;
 
@@ -79,7 +84,11 @@ private:
   double mean_shear_modulus_ = 0.;             // Pa
   double free_fall_energy_ = 0.;               // of the body through its own height
   double weight_norm_ = 0.;
-  double reference_volume_ = 1.; // of the smallest cell of all ranks
+  std::vector<bool> held_;  // nodes that did not settle, once there are some
+  unsigned n_troubles_ = 0; // before it has ever settled
+  bool holds_chest_ = false;
+  std::vector<std::string> remarks_; // about them
+  double reference_volume_ = 1.;     // of the smallest cell of all ranks
   settling::Settling loop_;
 };
 

@@ -36,6 +36,10 @@ mechanics::NodeMemory Unloading::Simulation::memory() const {
   body_.initialize(mass);
   for (unsigned node = 0; node < body_.n_owned_nodes(); ++node)
     mass.local_element(3 * node) = integrator_.mass()[node];
+  NodeVector& held = memory.fields["held"]; // 1 in its first component
+  body_.initialize(held);
+  for (unsigned node = 0; node < body_.n_owned_nodes() && !held_.empty(); ++node)
+    held.local_element(3 * node) = held_[node] ? 1. : 0.;
   memory.numbers["time_step"] = integrator_.time_step();
   memory.numbers["holds_reference"] = holds_reference_ ? 1. : 0.;
   damping_.store(memory);
@@ -51,7 +55,13 @@ void Unloading::Simulation::recall(const mechanics::NodeMemory& memory) {
   for_each_number(snapshot,
                   [&](const char* name, double& number) { number = memory.number(name); });
   restore(snapshot);
-  NodeVector at_nodes = memory.field("mass");
+  NodeVector at_nodes = memory.field("held");
+  at_nodes.update_ghost_values();
+  std::vector<bool> held(body_.n_local_nodes());
+  for (unsigned node = 0; node < held.size(); ++node)
+    held[node] = at_nodes.local_element(3 * node) > 0.;
+  hold(held);
+  at_nodes = memory.field("mass");
   at_nodes.update_ghost_values();
   mechanics::StableMass mass;
   for (unsigned node = 0; node < body_.n_local_nodes(); ++node)

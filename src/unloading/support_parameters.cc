@@ -25,7 +25,17 @@ namespace {
 constexpr auto chest_wall = static_cast<types::boundary_id>(mesh::BoundaryPart::chest_wall);
 constexpr auto cut_plane = static_cast<types::boundary_id>(mesh::BoundaryPart::cut_plane);
 
-constexpr double farthest_slide = 25.;  // mm, beyond the nodes on the chest
+constexpr double farthest_slide = 25.; // mm, beyond the nodes on the chest
+
+// The mesh follows no bump of the chest that is smaller than its edges, and a node that slides over
+// one flutters.
+constexpr double smoothing_in_edges = 0.5;
+
+// Slope of the smoothed distance across a face of the base, 1 on a smooth chest. Where it is less,
+// on a sharp crest, at the edge of a sheet or where the mesh leaves the chest, the level sets do
+// not tell in which directions the face may slide.
+constexpr double least_slope = 0.6;
+
 constexpr double least_alignment = 0.9; // of a cut face with the border it lies in
 
 bool in_field_of_view(const image::VoxelGrid& grid, const Point<3>& x) {
@@ -52,6 +62,23 @@ FaceFilter held_beyond(const image::LabelImage& other) {
     }
     return !is_seen;
   };
+}
+
+/// The edge of the regular triangle that has the mean area of the faces.
+double mean_edge(const Body& body, const mechanics::BoundaryIds& ids) {
+  double sums[2] = {0., 0.}; // area, faces
+  for (const mechanics::BoundaryFace& face : body.boundary_faces()) {
+    if (ids.count(face.id) == 0)
+      continue;
+    const auto corner = [&](unsigned v) {
+      return node_value(body.vertex_positions(), face.nodes[v]);
+    };
+    sums[0] += 0.5 * cross_product_3d(corner(1) - corner(0), corner(2) - corner(0)).norm();
+    sums[1] += 1.;
+  }
+  Utilities::MPI::sum(ArrayView<const double>(sums, 2), body.communicator(),
+                      ArrayView<double>(sums, 2));
+  return sums[1] > 0. ? std::sqrt(sums[0] / sums[1] * 4. / std::sqrt(3.)) : 0.;
 }
 
 /// The box that holds the nodes on the chest wall.
@@ -127,23 +154,38 @@ void SupportParameters::declare_parameters(ParameterHandler& prm) {
 std::unique_ptr<Supports> SupportParameters::make(ChestCondition chest, const Body& body,
                                                   const image::LabelImage& labels,
                                                   const image::LabelImage& other,
-                                                  unsigned chest_label) const {
+                                                  unsigned chest_label, BaseFaces* faces) const {
   auto supports = std::make_unique<Supports>(body);
   add_cut_planes(labels.grid, other, *supports);
-  add_chest(chest, labels, chest_label, *supports);
+  add_chest(chest, labels, chest_label, *supports, faces);
   return supports;
 }
 
 void SupportParameters::add_chest(ChestCondition chest, const image::LabelImage& labels,
-                                  unsigned chest_label, Supports& supports) const {
+                                  unsigned chest_label, Supports& supports,
+                                  BaseFaces* faces) const {
   if (chest == ChestCondition::fixed) {
     supports.fix({chest_wall});
     return;
   }
-  const auto [low, high] = chest_box(supports.body());
-  supports.slide_on(std::make_shared<ChestSurface>(labels, chest_label, chest_smoothing_, low, high,
-                                                   farthest_slide),
-                    {chest_wall},
+  const Body& body = supports.body();
+  const auto [low, high] = chest_box(body);
+  const double sigma = std::max(chest_smoothing_ * std::cbrt(labels.grid.voxel_volume()),
+                                smoothing_in_edges * mean_edge(body, {chest_wall}));
+  const auto surface =
+      std::make_shared<ChestSurface>(labels, chest_label, sigma, low, high, farthest_slide);
+  unsigned n_faces[2] = {0, 0}; // all, held
+  supports.fix({chest_wall}, [&](const Tensor<1, 3>& centre, const Tensor<1, 3>& normal) {
+    const bool is_held = std::abs(surface->gradient(centre) * normal) < least_slope;
+    ++n_faces[0];
+    n_faces[1] += is_held;
+    return is_held;
+  });
+  Utilities::MPI::sum(ArrayView<const unsigned>(n_faces, 2), body.communicator(),
+                      ArrayView<unsigned>(n_faces, 2));
+  if (faces != nullptr)
+    *faces = {n_faces[0], n_faces[1]};
+  supports.slide_on(surface, {chest_wall},
                     chest == ChestCondition::sliding ? ContactLaw::tied : ContactLaw::one_sided);
   supports.contacts().set_method(
       contact_method_ == "gradual" ? ContactMethod::gradual : ContactMethod::projection, gradual_);

@@ -66,6 +66,10 @@ double Unloading::damping_rate() const {
   return simulation_->damping_rate();
 }
 
+const std::vector<std::string>& Unloading::remarks() const {
+  return simulation_->remarks();
+}
+
 Unloading::Snapshot Unloading::save() const {
   return simulation_->save();
 }

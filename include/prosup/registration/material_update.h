@@ -72,6 +72,9 @@ public:
   void run(BreastPair& pair, const ComparedImages& images, const Log& log, const Observer& observer,
            MaterialProgress& progress, const Keeper& keep) const;
 
+  /// Whether run() may change the shear modulus.
+  bool searches() const;
+
 private:
   std::string method_;
   std::string compared_;

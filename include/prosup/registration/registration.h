@@ -109,6 +109,7 @@ public:
 private:
   ComparedImages compared() const;
   PerPosition<dealii::Tensor<1, 3>> gravity() const;
+  PerPosition<settling::SettlingResult> unload_stiff_enough();
   void make_pair(const PerPosition<const mesh::MeshSource*>& meshers);
 
   const RegistrationParameters& parameters_;

@@ -56,6 +56,8 @@ public:
   void set_keeper(std::function<void(unsigned)> keeper) { keeper_ = std::move(keeper); }
 
   const Caution& caution() const { return caution_; }
+  /// Whether a call has ever ended in a settled state.
+  bool has_settled() const { return has_settled_; }
 
   /// What earlier calls have learnt, by name, for a simulation that goes on in another process.
   std::map<std::string, double> memory() const;

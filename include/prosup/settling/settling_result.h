@@ -2,6 +2,7 @@
 #define PROSUP_SETTLING_SETTLING_RESULT_H
 
 #include <string>
+#include <vector>
 
 namespace prosup::settling {
 
@@ -14,10 +15,12 @@ struct SettlingResult {
   double distance = 0.;     ///< largest error of the unloaded positions, mm
   double min_jacobian = 0.; ///< smallest J = det dx/dX
   std::string explanation;  ///< why run() ended without convergence, otherwise empty
+  /// What is doubtful about the body or its state, each a sentence.
+  std::vector<std::string> remarks;
 
   template <typename Archive>
   void serialize(Archive& archive, unsigned) {
-    archive& converged& n_steps& n_retries& residual& distance& min_jacobian& explanation;
+    archive& converged& n_steps& n_retries& residual& distance& min_jacobian& explanation& remarks;
   }
 };
 

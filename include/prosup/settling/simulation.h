@@ -31,6 +31,7 @@ enum class Trouble {
 struct Remedy {
   std::string description;    ///< "stiffer air"; empty if it changed nothing
   bool is_sufficient = false; ///< longer lag, more damping and tighter tolerances are not needed
+  bool starts_anew = false;   ///< what was simulated so far is of no use
 };
 
 /// What Settling has to know of a simulation, mostly for its messages.
@@ -83,6 +84,10 @@ public:
   virtual std::string worst_cell() = 0;
   /// "rho g L/mu = 3.2": weight of a column of the body's height over its stiffness.
   virtual std::string softness() const = 0;
+  /// "raise 'Material/Shear modulus'": what would help a body that has not settled.
+  virtual std::string advice() const {
+    return "raise 'Material/Shear modulus' or check the mask and mesh there";
+  }
 };
 
 } // namespace prosup::settling

@@ -22,6 +22,12 @@ enum class ChestCondition {
 /// Names of the conditions, in the order of the enumerators.
 const std::vector<std::string>& chest_condition_names();
 
+/// Faces of the base of a sliding breast, of all ranks.
+struct BaseFaces {
+  unsigned n_all = 0;
+  unsigned n_held = 0; ///< because the chest has no clear normal there
+};
+
 /// What holds a breast at the chest wall and at the border of the image, section
 /// "Supports"; the same for prone and supine.
 class SupportParameters : public dealii::ParameterAcceptor {
@@ -31,12 +37,12 @@ public:
 
   /// The supports of a body that was meshed from `labels`. `other` are the labels in the
   /// other position, empty if they are not known. Collective on the communicator of the
-  /// body.
+  /// body. `faces` is left as it is if the tissue does not slide.
   /// @throws Error if tissue is to slide and there is no chest.
   std::unique_ptr<mechanics::Supports> make(ChestCondition chest, const mechanics::Body& body,
                                             const image::LabelImage& labels,
-                                            const image::LabelImage& other,
-                                            unsigned chest_label) const;
+                                            const image::LabelImage& other, unsigned chest_label,
+                                            BaseFaces* faces = nullptr) const;
 
   /// Whether make() needs `labels`.
   bool need_labels(ChestCondition chest) const {
@@ -62,7 +68,7 @@ public:
 
 private:
   void add_chest(ChestCondition chest, const image::LabelImage& labels, unsigned chest_label,
-                 mechanics::Supports& supports) const;
+                 mechanics::Supports& supports, BaseFaces* faces) const;
   void add_cut_planes(const image::VoxelGrid& grid, const image::LabelImage& other,
                       mechanics::Supports& supports) const;
 

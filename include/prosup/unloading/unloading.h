@@ -93,6 +93,9 @@ public:
   /// r/rho, 1/s; the initial rate if the damping scheme has none.
   double damping_rate() const;
 
+  /// Sentences on what was done to let the body settle.
+  const std::vector<std::string>& remarks() const;
+
   Snapshot save() const;
   void restore(const Snapshot& snapshot);
 

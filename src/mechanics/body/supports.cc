@@ -13,9 +13,12 @@ Supports::Supports(const Body& body, const BoundaryIds& fixed)
     : body_(body), fixed_(nodes_on_boundary(body, fixed)), contacts_(body) {}
 
 void Supports::fix(const BoundaryIds& ids, const FaceFilter& counts) {
-  const std::vector<bool> held = nodes_on_boundary(body_, ids, counts);
+  hold(nodes_on_boundary(body_, ids, counts));
+}
+
+void Supports::hold(const std::vector<bool>& nodes) {
   for (unsigned node = 0; node < fixed_.size(); ++node)
-    fixed_[node] = fixed_[node] || held[node];
+    fixed_[node] = fixed_[node] || nodes[node];
   contacts_.remove(fixed_);
 }
 

@@ -73,10 +73,15 @@ StableMass stable_mass(const Supports& supports, const InternalForce& internal_f
 CentralDifferences::CentralDifferences(const Supports& supports,
                                        const InternalForce& internal_force)
     : body_(supports.body()), supports_(supports), internal_force_(internal_force) {
-  for (unsigned node = 0; node < body_.n_owned_nodes(); ++node)
-    mobility_.push_back(supports.fixed()[node] ? 0. : 1.);
+  update_fixed();
   body_.initialize(force_);
   body_.initialize(velocity_);
+}
+
+void CentralDifferences::update_fixed() {
+  mobility_.clear();
+  for (unsigned node = 0; node < body_.n_owned_nodes(); ++node)
+    mobility_.push_back(supports_.fixed()[node] ? 0. : 1.);
 }
 
 void CentralDifferences::set_mass(const StableMass& mass, double safety) {

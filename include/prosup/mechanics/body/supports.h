@@ -21,6 +21,9 @@ public:
 
   /// The nodes of these boundaries do not move; with a filter, those of faces that pass it.
   void fix(const BoundaryIds& ids, const FaceFilter& counts = {});
+  /// These local nodes do not move any more from where they are, in whatever way they were held
+  /// before. The same on all ranks that share a node.
+  void hold(const std::vector<bool>& nodes);
   /// The nodes of these boundaries slide, see ContactSurfaces::add.
   void slide_on(std::shared_ptr<const Surface> surface, const BoundaryIds& ids, ContactLaw law,
                 double least_alignment = 0.);

@@ -40,8 +40,11 @@ struct StepReport {
 /// where f is the external minus the internal force.
 class CentralDifferences {
 public:
-  /// Keeps references. Nodes that the supports fix later are not fixed here.
+  /// Keeps references.
   CentralDifferences(const Supports& supports, const InternalForce& internal_force);
+
+  /// Has to be called when the supports have come to hold other nodes.
+  void update_fixed();
 
   /// Sets the masses, and the step to `safety` times the critical one.
   void set_mass(const StableMass& mass, double safety);

@@ -1,0 +1,108 @@
+#include "prosup/image/body_labels.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace prosup::tests {
+namespace {
+
+using dealii::Point;
+using image::LabelImage;
+
+constexpr std::uint8_t chest = 1, fat = 2;
+
+/// One column along y, front first, on a grid whose second axis points forwards if `is_reversed`.
+std::vector<unsigned> filled_column(const std::vector<unsigned>& front_to_back, bool is_reversed) {
+  image::VoxelGrid grid;
+  grid.size = {2, front_to_back.size(), 1};
+  const double sign = is_reversed ? -1. : 1.;
+  grid.direction[0][0] = sign;
+  grid.direction[1][1] = sign;
+  LabelImage labels(grid);
+  const auto place = [&](std::size_t n) { return is_reversed ? front_to_back.size() - 1 - n : n; };
+  for (std::size_t n = 0; n < front_to_back.size(); ++n)
+    labels(1, place(n), 0) = std::uint8_t(front_to_back[n]);
+  std::size_t n_filled = 0;
+  labels = image::with_inside_of_chest(labels, chest, &n_filled);
+  std::vector<unsigned> result;
+  std::size_t n_changed = 0;
+  for (std::size_t n = 0; n < front_to_back.size(); ++n) {
+    result.push_back(labels(1, place(n), 0));
+    n_changed += result.back() != front_to_back[n];
+    EXPECT_EQ(labels(0, place(n), 0), 0) << "a column without chest";
+  }
+  EXPECT_EQ(n_filled, n_changed);
+  return result;
+}
+
+TEST(InsideOfChest, IsWhatLiesBehindASheathUpToTheNextLabel) {
+  const std::vector<unsigned> sheath{0, 2, 1, 0, 0, 2, 0, 1, 0}, full{0, 2, 1, 1, 1, 2, 0, 1, 1};
+  for (const bool is_reversed : {false, true})
+    EXPECT_EQ(filled_column(sheath, is_reversed), full);
+}
+
+/// A ball of fat with a chest behind, in voxels of 1 mm; what lies beyond `last` along z is air.
+LabelImage ball(double last, double radius = 30.) {
+  image::VoxelGrid grid;
+  grid.size = {80, 80, 80};
+  grid.origin = Point<3>(-39.5, -39.5, -39.5);
+  LabelImage labels(grid);
+  for (std::size_t k = 0; k < 80; ++k)
+    for (std::size_t j = 0; j < 80; ++j)
+      for (std::size_t i = 0; i < 80; ++i) {
+        const Point<3> x = grid.physical(double(i), double(j), double(k));
+        if (std::hypot(x[0], x[1], x[2]) < radius && x[2] < last)
+          labels(i, j, k) = x[1] > 15. ? chest : fat;
+      }
+  return labels;
+}
+
+TEST(FlatEnds, AreNoneOnSkin) {
+  EXPECT_TRUE(image::flat_ends(ball(100.), chest).empty());
+}
+
+TEST(FlatEnds, AreFoundWhereTheMaskIsCutInsideTheImage) {
+  const LabelImage labels = ball(10.);
+  const auto ends = image::flat_ends(labels, chest);
+  ASSERT_EQ(ends.size(), 1u);
+  EXPECT_EQ(ends[0].axis, 2u);
+  EXPECT_TRUE(ends[0].is_upper);
+  EXPECT_EQ(ends[0].border, 50u);
+  // A disc of radius 28.3 mm, without the chest.
+  EXPECT_NEAR(ends[0].area, 2050., 100.);
+  const LabelImage cropped = image::cropped_to(labels, ends);
+  EXPECT_EQ(cropped.grid.size, (std::array<std::size_t, 3>{80, 80, 50}));
+  EXPECT_EQ(std::count(cropped.values.begin(), cropped.values.end(), fat),
+            std::count(labels.values.begin(), labels.values.end(), fat));
+}
+
+// The part of the image below a lower end moves the origin, not the body.
+TEST(FlatEnds, LeaveTheBodyWhereItIs) {
+  LabelImage labels = ball(100.);
+  for (std::size_t k = 0; k < 25; ++k)
+    for (std::size_t j = 0; j < 80; ++j)
+      for (std::size_t i = 0; i < 80; ++i)
+        labels(i, j, k) = 0;
+  const auto ends = image::flat_ends(labels, chest);
+  ASSERT_EQ(ends.size(), 1u);
+  EXPECT_FALSE(ends[0].is_upper);
+  const LabelImage cropped = image::cropped_to(labels, ends);
+  ASSERT_EQ(cropped.grid.size[2], 55u);
+  EXPECT_NEAR(cropped.grid.origin[2], -14.5, 1e-12);
+  EXPECT_EQ(cropped(40, 40, 0), labels(40, 40, 25));
+}
+
+// Tissue that goes on beside the plane shows that it is no border of what was labelled.
+TEST(FlatEnds, AreNoneWhereTissueGoesOn) {
+  LabelImage labels = ball(10.);
+  for (std::size_t k = 50; k < 80; ++k)
+    for (std::size_t j = 30; j < 40; ++j)
+      for (std::size_t i = 30; i < 50; ++i)
+        labels(i, j, k) = fat;
+  EXPECT_TRUE(image::flat_ends(labels, chest).empty());
+}
+
+} // namespace
+} // namespace prosup::tests

@@ -1,0 +1,150 @@
+// Chests as masks of real breasts have them: with a sharp crest, as a thin sheath.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "prosup/image/body_labels.h"
+#include "prosup/mechanics/laws/material.h"
+#include "prosup/mesh/distributed.h"
+#include "prosup/mesh/mask_mesher.h"
+#include "prosup/unloading/support_parameters.h"
+#include "prosup/unloading/unloading.h"
+
+namespace prosup::tests {
+namespace {
+
+using namespace dealii;
+using image::LabelImage;
+using mechanics::node_value;
+using unloading::ChestCondition;
+
+const Tensor<1, 3> prone({0., -1., 0.});
+constexpr double voxel = 2.;
+
+/// Height of the chest above its base, towards the tissue (-y), mm.
+using Relief = std::function<double(double x)>;
+
+double flat(double) {
+  return 0.;
+}
+
+/// A pectoral muscle that ends in a sharp edge.
+double crest(double x) {
+  return std::max(0., 14. - 3. * std::abs(x));
+}
+
+/// Half a ball of tissue that hangs from the chest; `thickness` is that of a sheath of muscle.
+LabelImage breast(const Relief& relief, double thickness = 1000.) {
+  image::VoxelGrid grid;
+  grid.spacing = Tensor<1, 3>({voxel, voxel, voxel});
+  grid.size = {56, 50, 56};
+  grid.origin = Point<3>(-55., -71., -55.);
+  LabelImage labels(grid);
+  for (std::size_t k = 0; k < grid.size[2]; ++k)
+    for (std::size_t j = 0; j < grid.size[1]; ++j)
+      for (std::size_t i = 0; i < grid.size[0]; ++i) {
+        const Point<3> x = grid.physical(double(i), double(j), double(k));
+        const double behind = x[1] + relief(x[0]);
+        if (behind > 0.)
+          labels(i, j, k) = behind < thickness ? 1 : 0;
+        else if (std::hypot(x[0], x[1], x[2]) < 45.)
+          labels(i, j, k) = 2;
+      }
+  return labels;
+}
+
+class HungBreast {
+public:
+  explicit HungBreast(const LabelImage& labels)
+      : labels_(image::with_inside_of_chest(labels, 1)),
+        mesh_(mesh::make_distributed(mesher().mesh(labels_), MPI_COMM_WORLD)), body_(*mesh_) {}
+
+  std::unique_ptr<mechanics::Supports> supports(ChestCondition chest) {
+    return parameters_.make(chest, body_, labels_, {}, 1);
+  }
+
+  unsigned n_fixed() {
+    const std::vector<bool> fixed = supports(ChestCondition::sliding)->fixed();
+    return unsigned(std::count(fixed.begin(), fixed.end(), true));
+  }
+
+  /// The unloaded positions.
+  mechanics::NodeVector unload(ChestCondition chest, double bed, settling::SettlingResult& result) {
+    const auto held = supports(chest);
+    held->set_springs_on(types::boundary_id(mesh::BoundaryPart::chest_wall), bed);
+    unloading::Unloading unloading(unloading_, *held, prone);
+    unloading.set_material({mechanics::lame_parameters(300., 0.4)});
+    result = unloading.run();
+    return unloading.unloaded();
+  }
+
+private:
+  const mesh::MaskMesher& mesher() {
+    mesher_.edge_length = 9.;
+    return mesher_;
+  }
+
+  Labels meaning_;
+  mesh::MaskMesher mesher_{meaning_};
+  unloading::SupportParameters parameters_;
+  unloading::UnloadingParameters unloading_;
+  LabelImage labels_;
+  std::unique_ptr<parallel::fullydistributed::Triangulation<3>> mesh_;
+  mechanics::Body body_;
+};
+
+double largest_difference(const mechanics::NodeVector& a, const mechanics::NodeVector& b) {
+  double largest = 0.;
+  for (unsigned i = 0; i < a.locally_owned_size(); ++i)
+    largest = std::max(largest, std::abs(a.local_element(i) - b.local_element(i)));
+  return largest;
+}
+
+TEST(RealChest, HoldsNothingWhereItIsSmooth) {
+  EXPECT_EQ(HungBreast(breast(flat)).n_fixed(), 0u);
+}
+
+// The level sets of the distance go round the edge, where they have no normal.
+TEST(RealChest, HoldsFacesWithoutANormal) {
+  EXPECT_GT(HungBreast(breast(crest)).n_fixed(), 0u);
+}
+
+TEST(RealChest, LetsABreastSettleOnACrestAndOnASheath) {
+  for (const LabelImage& labels : {breast(crest), breast(crest, 4.), breast(flat, 4.)}) {
+    settling::SettlingResult result;
+    HungBreast(labels).unload(ChestCondition::sliding, 8., result);
+    EXPECT_TRUE(result.converged) << result.explanation;
+    EXPECT_EQ(result.n_retries, 0u);
+  }
+}
+
+// Nothing but the sheath is known of the chest, which has to be enough.
+TEST(RealChest, IsTheSameBehindASheath) {
+  settling::SettlingResult result;
+  HungBreast full(breast(flat)), sheath(breast(flat, 4.));
+  const auto X = full.unload(ChestCondition::sliding, 8., result);
+  EXPECT_LT(largest_difference(X, sheath.unload(ChestCondition::sliding, 8., result)), 0.05);
+}
+
+TEST(RealChest, SlidingTendsToFixedAsTheBedStiffens) {
+  settling::SettlingResult result;
+  HungBreast breast_on_chest(breast(crest));
+  const auto fixed = breast_on_chest.unload(ChestCondition::fixed, 0., result);
+  double before = 0.;
+  for (const double bed : {8., 80., 800.}) {
+    const double difference =
+        largest_difference(fixed, breast_on_chest.unload(ChestCondition::sliding, bed, result));
+    EXPECT_TRUE(result.converged);
+    if (before > 0.) {
+      EXPECT_LT(difference, 0.4 * before) << bed << " Pa/mm";
+    }
+    before = difference;
+  }
+  EXPECT_LT(before, 0.1);
+}
+
+} // namespace
+} // namespace prosup::tests
