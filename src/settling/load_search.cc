@@ -50,7 +50,7 @@ std::string Settling::search_load() {
         "; %s was not even found for %.2f of the weight, so check the mask and mesh there, "
         "and 'Material'",
         state, failed);
-  return format("; %s exists up to %.2f of the weight at least, and none was found for %.2f; %s",
+  return format("; %s exists up to %.2f of the weight at least and was not found for %.2f; %s",
                 state, settled, failed, simulation_.advice().c_str());
 }
 

@@ -34,7 +34,7 @@ constexpr double smoothing_in_edges = 0.5;
 // Slope of the smoothed distance across a face of the base, 1 on a smooth chest. Where it is less,
 // on a sharp crest, at the edge of a sheet or where the mesh leaves the chest, the level sets do
 // not tell in which directions the face may slide.
-constexpr double least_slope = 0.6;
+constexpr double least_slope = 0.5;
 
 constexpr double least_alignment = 0.9; // of a cut face with the border it lies in
 
