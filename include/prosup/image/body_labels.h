@@ -11,8 +11,9 @@ namespace prosup::image {
 
 /// Labels the inside of the chest as chest: many masks know only its front, a sheath of muscle with
 /// 0 behind it. Voxels of 0 that lie behind a voxel of `chest_label` (posterior, +y in LPS, along
-/// the axis of the voxels that is nearest to y) become `chest_label`, up to the next other label.
-/// `n_filled` is their number.
+/// the axis of the voxels that is nearest to y) become `chest_label`, up to the next other label;
+/// and those behind tissue in a hole of the sheath, 12 mm from its rim at most. `n_filled` is their
+/// number.
 LabelImage with_inside_of_chest(const LabelImage& labels, unsigned chest_label,
                                 std::size_t* n_filled = nullptr);
 

@@ -43,6 +43,30 @@ TEST(InsideOfChest, IsWhatLiesBehindASheathUpToTheNextLabel) {
     EXPECT_EQ(filled_column(sheath, is_reversed), full);
 }
 
+// Tissue over a hole in the sheath would have a free back.
+TEST(InsideOfChest, GoesOnBehindSmallHolesOfASheath) {
+  image::VoxelGrid grid;
+  grid.size = {60, 20, 60};
+  LabelImage labels(grid);
+  const auto in_square = [](std::size_t i, std::size_t k, std::size_t low, std::size_t high) {
+    return i >= low && i < high && k >= low && k < high;
+  };
+  for (std::size_t k = 0; k < 60; ++k)
+    for (std::size_t i = 0; i < 60; ++i) {
+      for (std::size_t j = 2; j < 8; ++j)
+        labels(i, j, k) = fat;
+      if (!in_square(i, k, 8, 16) && !in_square(i, k, 20, 56) && i > 1)
+        for (std::size_t j = 8; j < 11; ++j)
+          labels(i, j, k) = chest;
+    }
+  const LabelImage filled = image::with_inside_of_chest(labels, chest);
+  EXPECT_EQ(filled(12, 8, 12), chest) << "in a hole of 8 mm";
+  EXPECT_EQ(filled(12, 19, 12), chest);
+  EXPECT_EQ(filled(12, 1, 12), 0) << "in front of the skin";
+  EXPECT_EQ(filled(38, 12, 38), 0) << "in a hole of 36 mm";
+  EXPECT_EQ(filled(0, 12, 40), 0) << "beside the sheath";
+}
+
 /// A ball of fat with a chest behind, in voxels of 1 mm; what lies beyond `last` along z is air.
 LabelImage ball(double last, double radius = 30.) {
   image::VoxelGrid grid;
