@@ -63,7 +63,8 @@ void OutputFile::check() const {
     throw Error("The output '" + given_.string() + "' is the input '" + input.string() +
                 "', which would be lost; give the name of another file.");
   if (fs::is_regular_file(status) && fs::file_size(file_) > 0 && !rules_.overwrite &&
-      !rules_.first_line.empty() && first_line(file_) != rules_.first_line)
+      !rules_.first_line.empty() && first_line(file_) != rules_.first_line &&
+      (rules_.other_first_line.empty() || first_line(file_) != rules_.other_first_line))
     throw_in_the_way();
 }
 

@@ -170,4 +170,11 @@ std::string coordinates(const Point<3>& p, const std::string& what) {
   return format("%.6f,%.6f,%.6f", p[0], p[1], p[2]);
 }
 
+std::string error_values(const ErrorBar& error, const std::string& what) {
+  if (!std::isfinite(error.deviation.norm() + error.radius_95))
+    throw Error("The error bar of " + shown(what) +
+                " is not a finite number and was not written; check the registration.");
+  return coordinates(Point<3>(error.deviation), what) + format(",%.6f", error.radius_95);
+}
+
 } // namespace prosup::evaluation::csv

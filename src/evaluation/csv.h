@@ -11,6 +11,7 @@
 #include "coordinate_system.h"
 #include "csv_records.h"
 #include "prosup/core/remarks.h"
+#include "prosup/evaluation/error_bar.h"
 
 namespace prosup::evaluation::csv {
 
@@ -80,6 +81,9 @@ private:
 
 /// "x,y,z" to 1e-6 mm. @throws Error that names `what` if a coordinate is not finite.
 std::string coordinates(const Point<3>& p, const std::string& what);
+
+/// "sd_x,sd_y,sd_z,radius_95" to 1e-6 mm. @throws Error that names `what` if one is not finite.
+std::string error_values(const ErrorBar& error, const std::string& what);
 
 } // namespace prosup::evaluation::csv
 

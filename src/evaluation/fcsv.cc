@@ -88,7 +88,8 @@ std::string fcsv_text(const std::vector<NamedPoint>& points) {
   for (std::size_t p = 0; p < points.size(); ++p)
     text += std::to_string(p + 1) + "," +
             csv::coordinates(points[p].position, "point '" + points[p].id + "'") +
-            ",0,0,0,1,1,1,0," + csv::quoted(points[p].id) + ",,\n";
+            ",0,0,0,1,1,1,0," + csv::quoted(points[p].id) + "," +
+            (points[p].error ? csv::quoted(described(*points[p].error)) : "") + ",\n";
   return text;
 }
 

@@ -28,12 +28,20 @@ std::string row(const std::string& id, const std::vector<Point<3>>& positions) {
 
 void write_landmarks(const std::vector<MappedLandmark>& landmarks,
                      const std::filesystem::path& file) {
-  std::string text =
-      header({"prone", "supine", "unloaded_from_prone", "unloaded_from_supine"}) + ",tre_mm\n";
-  for (const MappedLandmark& mapped : landmarks)
-    text += row(mapped.landmark.id, {mapped.landmark.prone, mapped.landmark.supine,
-                                     mapped.from_prone.position, mapped.from_supine.position}) +
-            format(",%.6f\n", mapped.error());
+  const bool has_error_bars =
+      std::all_of(landmarks.begin(), landmarks.end(),
+                  [](const MappedLandmark& l) { return l.error_bar.has_value(); });
+  std::string text = header({"prone", "supine", "unloaded_from_prone", "unloaded_from_supine"}) +
+                     ",tre_mm" + (has_error_bars ? ",sd_x,sd_y,sd_z,radius_95" : "") + "\n";
+  for (const MappedLandmark& mapped : landmarks) {
+    const std::string& id = mapped.landmark.id;
+    text += row(id, {mapped.landmark.prone, mapped.landmark.supine, mapped.from_prone.position,
+                     mapped.from_supine.position}) +
+            format(",%.6f", mapped.error()) +
+            (has_error_bars ? "," + csv::error_values(*mapped.error_bar, "landmark '" + id + "'")
+                            : "") +
+            "\n";
+  }
   write_text_file(text, file);
 }
 

@@ -149,12 +149,15 @@ std::vector<NamedPoint> parse_mrk_json(const std::string& text, const std::strin
 
 std::string mrk_json_text(const std::vector<NamedPoint>& points) {
   Json control_points = Json::array();
-  for (std::size_t p = 0; p < points.size(); ++p)
+  for (std::size_t p = 0; p < points.size(); ++p) {
     control_points.push_back(
         {{"id", std::to_string(p + 1)},
          {"label", points[p].id},
          {"position", {points[p].position[0], points[p].position[1], points[p].position[2]}},
          {"positionStatus", "defined"}});
+    if (points[p].error)
+      control_points.back()["description"] = described(*points[p].error);
+  }
   const Json markup{{"type", "Fiducial"},
                     {"coordinateSystem", "LPS"},
                     {"coordinateUnits", "mm"},

@@ -43,6 +43,12 @@ bool is_finite(const Point<3>& p) {
   return std::isfinite(p[0] + p[1] + p[2]);
 }
 
+void require_finite(const Point<3>& point) {
+  if (!is_finite(point))
+    throw Error("A point to be mapped has a coordinate that is not a finite number; coordinates "
+                "are LPS, mm.");
+}
+
 void check(const mesh::UnloadedMesh& mesh) {
   const auto& nodes = mesh.mesh.points;
   if (mesh.mesh.cells.empty())
@@ -105,7 +111,30 @@ public:
     return mapped;
   }
 
+  /// As PointMapper::place(), if this is the unloaded and `other` the loaded mesh.
+  MeshPlace place(const Point<3>& p, const PlacedMesh& other) const {
+    if (const auto hit = cell_locator_.find(p))
+      return {cells_[hit->cell], hit->weights, gradient(cells_[hit->cell], other)};
+    const SurfaceLocator::Hit hit = surface_locator_.closest(p);
+    const Face& face = surface_[hit.face];
+    return {{face[0], face[1], face[2], face[2]},
+            {hit.weights[0], hit.weights[1], hit.weights[2], 0.},
+            map_outside(p, other, hit.face).gradient};
+  }
+
+  std::size_t n_nodes() const { return nodes_.size(); }
+
 private:
+  Tensor<2, 3> gradient(const std::array<unsigned, 4>& cell, const PlacedMesh& other) const {
+    Tensor<2, 3> here, there; // columns are edges
+    for (unsigned b = 0; b < 3; ++b)
+      for (unsigned c = 0; c < 3; ++c) {
+        here[c][b] = nodes_[cell[b + 1]][c] - nodes_[cell[0]][c];
+        there[c][b] = other.nodes_[cell[b + 1]][c] - other.nodes_[cell[0]][c];
+      }
+    return there * invert(here);
+  }
+
   Tensor<1, 3> displacement(unsigned node, const PlacedMesh& other) const {
     return other.nodes_[node] - nodes_[node];
   }
@@ -129,10 +158,17 @@ PointMapper::~PointMapper() = default;
 PointMapper::PointMapper(PointMapper&&) noexcept = default;
 PointMapper& PointMapper::operator=(PointMapper&&) noexcept = default;
 
+std::size_t PointMapper::n_nodes() const {
+  return unloaded_->n_nodes();
+}
+
+MeshPlace PointMapper::place(const Point<3>& unloaded) const {
+  require_finite(unloaded);
+  return unloaded_->place(unloaded, *loaded_);
+}
+
 MappedPoint PointMapper::map(const Point<3>& point, Configuration from) const {
-  if (!is_finite(point))
-    throw Error("A point to be mapped has a coordinate that is not a finite number; coordinates "
-                "are LPS, mm.");
+  require_finite(point);
   const PlacedMesh& here = from == Configuration::loaded ? *loaded_ : *unloaded_;
   const PlacedMesh& there = from == Configuration::loaded ? *unloaded_ : *loaded_;
   if (const auto mapped = here.map_inside(point, there))

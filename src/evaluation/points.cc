@@ -1,5 +1,6 @@
 #include "prosup/evaluation/points.h"
 
+#include <algorithm>
 #include <set>
 
 #include "csv.h"
@@ -37,10 +38,15 @@ std::vector<NamedPoint> parse_csv(const std::string& text, const std::string& na
 }
 
 std::string csv_text(const std::vector<NamedPoint>& points) {
-  std::string text = std::string(points_header) + "\n";
-  for (const NamedPoint& point : points)
-    text += csv::quoted(point.id) + "," +
-            csv::coordinates(point.position, "point '" + point.id + "'") + "\n";
+  const bool has_errors =
+      !points.empty() && std::all_of(points.begin(), points.end(),
+                                     [](const NamedPoint& p) { return p.error.has_value(); });
+  std::string text = std::string(has_errors ? points_with_errors_header : points_header) + "\n";
+  for (const NamedPoint& point : points) {
+    const std::string what = "point '" + point.id + "'";
+    text += csv::quoted(point.id) + "," + csv::coordinates(point.position, what) +
+            (has_errors ? "," + csv::error_values(*point.error, what) : "") + "\n";
+  }
   return text;
 }
 

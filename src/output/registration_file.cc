@@ -1,5 +1,6 @@
 #include "prosup/output/registration_file.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "mesh_checks.h"
@@ -28,11 +29,32 @@ void write_breast(Hdf5Writer& file, const mesh::UnloadedMesh& mesh, const std::s
   file.rows(name + "/J", jacobians);
 }
 
+using evaluation::Covariance;
+
+constexpr unsigned n_components = Covariance::n_independent_components;
+
+void write_covariances(Hdf5Writer& file, const std::vector<Covariance>& covariances,
+                       const std::string& name) {
+  std::vector<double> components;
+  for (const Covariance& covariance : covariances)
+    for (unsigned i = 0; i < n_components; ++i)
+      components.push_back(covariance.access_raw_entry(i));
+  if (!components.empty())
+    file.rows(name + "/covariance", components, n_components);
+}
+
+Hdf5Reader reader_of(const std::filesystem::path& file) {
+  return Hdf5Reader(file, kind, MPI_COMM_SELF,
+                    "give the result folder of a registration that finished, or its "
+                    "registration.h5");
+}
+
 } // namespace
 
 void write_registration(const PerPosition<mesh::UnloadedMesh>& meshes,
                         const std::map<std::string, double>& properties,
-                        const std::filesystem::path& folder) {
+                        const std::filesystem::path& folder,
+                        const evaluation::Uncertainty::Covariances& covariances) {
   for (const auto& [name, value] : properties)
     if (!std::isfinite(value))
       throw Error("The property '" + name +
@@ -41,21 +63,40 @@ void write_registration(const PerPosition<mesh::UnloadedMesh>& meshes,
   file.text("version", version());
   for (const auto& [name, value] : properties)
     file.number("properties/" + name, value);
-  for (const Position position : both_positions)
+  for (const Position position : both_positions) {
     write_breast(file, meshes[position], name_of(position));
+    write_covariances(file, covariances[position], name_of(position));
+  }
   file.commit();
   write_text_file(xdmf_of(meshes), folder / registration_xdmf);
 }
 
 mesh::UnloadedMesh read_registration(const std::filesystem::path& file, Position position) {
-  const Hdf5Reader reader(file, kind, MPI_COMM_SELF,
-                          "give the result folder of a registration that finished, or its "
-                          "registration.h5");
+  const Hdf5Reader reader = reader_of(file);
   const std::string group = name_of(position);
   mesh::UnloadedMesh result{read_tets(reader, group),
                             points_of(reader.doubles(group + "/unloaded"))};
   check_mesh(result, group);
   return result;
+}
+
+std::optional<evaluation::Uncertainty::Covariances>
+read_covariances(const std::filesystem::path& file) {
+  const Hdf5Reader reader = reader_of(file);
+  evaluation::Uncertainty::Covariances covariances;
+  for (const Position position : both_positions) {
+    const std::vector<std::string> names = reader.data_sets(name_of(position));
+    if (std::find(names.begin(), names.end(), "covariance") == names.end())
+      return {};
+    const std::vector<double> components =
+        reader.doubles(std::string(name_of(position)) + "/covariance");
+    for (std::size_t at = 0; at + n_components <= components.size(); at += n_components) {
+      Covariance& covariance = covariances[position].emplace_back();
+      for (unsigned i = 0; i < n_components; ++i)
+        covariance.access_raw_entry(i) = components[at + i];
+    }
+  }
+  return covariances;
 }
 
 } // namespace prosup::output

@@ -20,6 +20,10 @@ bool is_file(const std::filesystem::path& result) {
   return std::filesystem::is_regular_file(result);
 }
 
+std::filesystem::path h5_of(const std::filesystem::path& result) {
+  return is_file(result) ? result : result / output::registration_h5;
+}
+
 } // namespace
 
 void require_finished(const std::filesystem::path& result) {
@@ -30,11 +34,19 @@ void require_finished(const std::filesystem::path& result) {
 // The HDF5 file comes first: it holds both breasts, and a checksum that tells whether it is whole.
 // Results of earlier versions have VTU files only.
 evaluation::PointMapper read_mapper(const std::filesystem::path& result, const std::string& state) {
-  const std::filesystem::path h5 = is_file(result) ? result : result / output::registration_h5;
+  const std::filesystem::path h5 = h5_of(result);
   if (std::filesystem::exists(h5))
     return evaluation::PointMapper(output::read_registration(
         h5, state == name_of(Position::prone) ? Position::prone : Position::supine));
   return evaluation::PointMapper(output::read_mesh(required(result, state + "_loaded.vtu")));
+}
+
+std::optional<evaluation::Uncertainty::Covariances>
+read_covariances(const std::filesystem::path& result) {
+  const std::filesystem::path h5 = h5_of(result);
+  if (!std::filesystem::exists(h5))
+    return {};
+  return output::read_covariances(h5);
 }
 
 } // namespace prosup::pipeline

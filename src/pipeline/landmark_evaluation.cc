@@ -114,6 +114,14 @@ std::optional<ErrorStatistics> LandmarkEvaluation::evaluate(Position position,
   return evaluation::statistics(std::move(errors));
 }
 
+void LandmarkEvaluation::add_error_bars(const PerPosition<mesh::UnloadedMesh>& meshes,
+                                        const evaluation::Uncertainty::Covariances& covariances) {
+  const evaluation::PointMapper prone(meshes.prone), supine(meshes.supine);
+  const evaluation::Uncertainty uncertainty(prone, supine, covariances);
+  for (evaluation::MappedLandmark& landmark : mapped_)
+    landmark.error_bar = evaluation::error_bar(uncertainty.unloaded(landmark.from_prone.position));
+}
+
 void LandmarkEvaluation::write(const std::filesystem::path& file) const {
   if (has_landmarks())
     evaluation::write_landmarks(mapped_, file);

@@ -31,6 +31,21 @@ void say_outside(const std::vector<std::string>& ids, Remarks& remarks) {
                      ids.size() > n_named ? " and others" : ""));
 }
 
+/// Gives points that are in the unloaded state the error bars that they will have.
+void add_error_bars(const MapRequest& request, const evaluation::Uncertainty& uncertainty,
+                    std::vector<evaluation::NamedPoint>& points) {
+  for (evaluation::NamedPoint& point : points) {
+    evaluation::Covariance covariance; // none where points stay
+    if (request.from != request.to)
+      covariance = request.to == "unloaded"
+                       ? uncertainty.unloaded(point.position)
+                       : uncertainty.loaded(point.position, request.to == name_of(Position::prone)
+                                                                ? Position::prone
+                                                                : Position::supine);
+    point.error = evaluation::error_bar(covariance);
+  }
+}
+
 } // namespace
 
 void run_map(const MapRequest& request) {
@@ -39,8 +54,16 @@ void run_map(const MapRequest& request) {
   const bool is_csv = format == evaluation::PointFormat::csv;
   Remarks remarks{Log(MPI_COMM_SELF)}; // standard output may be where the points go
   std::vector<evaluation::NamedPoint> points = evaluation::read_points(request.points, remarks);
-  OutputFile output(request.output,
-                    {{request.points}, request.overwrite, is_csv ? evaluation::points_header : ""});
+  const auto covariances = read_covariances(request.result);
+  OutputFile output(request.output, {{request.points},
+                                     request.overwrite,
+                                     is_csv ? evaluation::points_header : "",
+                                     is_csv ? evaluation::points_with_errors_header : ""});
+  const PointMapper prone = read_mapper(request.result, name_of(Position::prone)),
+                    supine = read_mapper(request.result, name_of(Position::supine));
+  const auto mapper_of = [&](const std::string& state) -> const PointMapper& {
+    return state == name_of(Position::prone) ? prone : supine;
+  };
   std::vector<std::string> outside;
   const auto apply = [&](const PointMapper& mapper, evaluation::Configuration from) {
     for (evaluation::NamedPoint& point : points) {
@@ -51,9 +74,11 @@ void run_map(const MapRequest& request) {
     }
   };
   if (request.from != "unloaded" && request.from != request.to)
-    apply(read_mapper(request.result, request.from), evaluation::Configuration::loaded);
+    apply(mapper_of(request.from), evaluation::Configuration::loaded);
+  if (covariances)
+    add_error_bars(request, evaluation::Uncertainty(prone, supine, *covariances), points);
   if (request.to != "unloaded" && request.from != request.to)
-    apply(read_mapper(request.result, request.to), evaluation::Configuration::unloaded);
+    apply(mapper_of(request.to), evaluation::Configuration::unloaded);
   say_outside(outside, remarks);
   evaluation::write_points(points, output.path(), format);
   output.commit();

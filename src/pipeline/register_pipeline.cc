@@ -28,6 +28,7 @@ constexpr const char* mesh = "Meshing";
 constexpr const char* unloading = "Unloading";
 constexpr const char* material = "Material update";
 constexpr const char* image_forces = "Image forces";
+constexpr const char* uncertainty = "Uncertainty";
 constexpr const char* write = "Writing results";
 } // namespace stage
 
@@ -94,10 +95,11 @@ Outcome RegisterPipeline::run() {
   stage(stage::unloading, Stage::unloaded, time.unloading, [&] { unload(); });
   stage(stage::material, Stage::properties_matched, time.material, [&] { match_properties(); });
   stage(stage::image_forces, Stage::images_matched, time.image_forces, [&] { match_images(); });
+  run_.stage(stage::uncertainty, [&] { covariances_ = registration_.covariances(); });
   run_.stage(stage::write, [&] { write(); });
   const std::string errors = output::error_table(run_.summary());
   run_.finish(errors + (errors.empty() ? "" : "\n") + output::verdict_text(run_.summary()));
-  if (checkpoints_)
+  if (checkpoints_ && !std::getenv("P_OUT"))
     checkpoints_->remove();
   return dealii::Utilities::MPI::broadcast(registration_.ranks().world(), outcome_);
 }
@@ -218,7 +220,9 @@ void RegisterPipeline::write_on_root() {
     summary.breasts[position] = output::summarize(found_.meshes[position]);
     output::write_mesh(found_.meshes[position], folder, name_of(position));
   }
-  output::write_registration(found_.meshes, named(found_.properties), folder);
+  output::write_registration(found_.meshes, named(found_.properties), folder, covariances_);
+  if (!covariances_.prone.empty())
+    landmarks_.add_error_bars(found_.meshes, covariances_);
   judge();
   landmarks_.write(folder / "landmarks.csv");
   output::write_convergence(convergence_, folder / "convergence.csv");
@@ -233,6 +237,8 @@ void RegisterPipeline::write() {
   const auto& originals = registration_.inputs().originals;
   const PerPosition<image::ScalarImage> unloaded =
       write_images(found_.meshes, originals, results_, run_.folder(), registration_.ranks());
+  if (!covariances_.prone.empty()) // on rank 0
+    write_radius_image(found_.meshes, covariances_, results_, run_.folder());
   if (results_.pictures)
     on_root(world, [&] {
       output::write_registration_slices({originals.prone.image, originals.supine.image,

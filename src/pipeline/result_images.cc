@@ -11,6 +11,7 @@
 #include "prosup/image/image_io.h"
 #include "prosup/mesh/transfer.h"
 #include "prosup/output/displacement_fields.h"
+#include "prosup/output/radius_image.h"
 #include "prosup/pipeline/unloaded_grid.h"
 
 namespace prosup::pipeline {
@@ -69,6 +70,15 @@ PerPosition<ScalarImage> write_images(PerPosition<mesh::UnloadedMesh>& meshes,
   if (rank == 0)
     images.supine.grid = images.prone.grid;
   return images;
+}
+
+void write_radius_image(const PerPosition<mesh::UnloadedMesh>& meshes,
+                        const evaluation::Uncertainty::Covariances& covariances,
+                        const ResultParameters& parameters, const std::filesystem::path& folder) {
+  const image::VoxelGrid grid =
+      unloaded_grid({&meshes.prone, &meshes.supine}, parameters.voxel_edge, parameters.margin);
+  image::write_image(output::radius_image(grid, meshes, covariances),
+                     folder / "unloaded_radius_95.nii.gz");
 }
 
 } // namespace prosup::pipeline

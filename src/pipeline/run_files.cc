@@ -24,8 +24,8 @@ const Names& slices() {
 }
 
 Names of_register() {
-  Names names{"landmarks.csv", "convergence.csv", "convergence.svg", output::registration_h5,
-              output::registration_xdmf};
+  Names names{"landmarks.csv",         "convergence.csv",         "convergence.svg",
+              output::registration_h5, output::registration_xdmf, "unloaded_radius_95.nii.gz"};
   add(names, slices());
   for (const Position position : both_positions) {
     const std::string state = name_of(position), other_state = name_of(other(position));

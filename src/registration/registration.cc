@@ -148,6 +148,16 @@ ImageForceResult Registration::match_images() {
   return forces_.result;
 }
 
+UncertaintyParameters::Covariances Registration::covariances() const {
+  bool descended = true;
+  pair_->for_each([&](Position position, Breast&) {
+    descended = descended && forces_.level > 0 && forces_.start[position].size() > 0;
+  });
+  if (!descended)
+    return {};
+  return parameters_.uncertainty.covariances(*pair_, compared(), forces_.start);
+}
+
 RegistrationResult Registration::result() const {
   RegistrationResult result{pair_->meshes(), pair_->properties(), converged_};
   const image::RigidTransform to_supine = inputs_.alignment.inverse();

@@ -162,5 +162,49 @@ TEST(Map, ToTheSameStateIsTheIdentity) {
     EXPECT_LE(same[i].position.distance(points[i].position), 1e-5) << points[i].id;
 }
 
+// All points have error bars; they are neither nothing nor the size of the breast.
+TEST(Map, WritesHowSureThePointsAre) {
+  const TemporaryFolder folder;
+  evaluation::write_points(landmarks_in("prone"), folder / "in.csv");
+  for (const char* to : {"supine", "unloaded"}) {
+    const ProgramRun run = run_prosup({"map", "--result", registered(), "--from", "prone", "--to",
+                                       to, folder / "in.csv", "-o", folder / "out.csv"});
+    ASSERT_EQ(run.exit_code, 0) << run.transcript();
+    const auto rows = read_table(folder / "out.csv");
+    ASSERT_EQ(rows.size(), landmarks_in("prone").size());
+    for (const auto& row : rows) {
+      const double radius = std::stod(row.at("radius_95"));
+      double largest = 0.;
+      for (const char* axis : {"sd_x", "sd_y", "sd_z"}) {
+        const double deviation = std::stod(row.at(axis));
+        EXPECT_GT(deviation, 0.) << row.at("id");
+        largest = std::max(largest, deviation);
+      }
+      EXPECT_GT(radius, 1.9 * largest) << row.at("id");
+      EXPECT_LT(radius, 2.9 * std::sqrt(3.) * largest) << row.at("id");
+      EXPECT_GT(radius, 0.02) << row.at("id");
+      EXPECT_LT(radius, 15.) << row.at("id");
+    }
+  }
+}
+
+// The sample has few landmarks; a model that has lost its scale misses most of them or none by far.
+TEST(Map, ErrorBarsHoldTheLandmarksOfTheSample) {
+  const auto rows = read_table(registered() / "landmarks.csv");
+  std::vector<double> errors, radii;
+  std::size_t n_within = 0;
+  for (const auto& row : rows) {
+    errors.push_back(std::stod(row.at("tre_mm")));
+    radii.push_back(std::stod(row.at("radius_95")));
+    n_within += errors.back() < radii.back();
+  }
+  std::sort(errors.begin(), errors.end());
+  std::sort(radii.begin(), radii.end());
+  const std::size_t middle = rows.size() / 2;
+  EXPECT_GE(double(n_within), 0.8 * double(rows.size()));
+  EXPECT_LT(radii[middle], 8. * errors[middle]);
+  EXPECT_TRUE(std::filesystem::is_regular_file(registered() / "unloaded_radius_95.nii.gz"));
+}
+
 } // namespace
 } // namespace prosup::tests

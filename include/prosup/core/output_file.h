@@ -18,6 +18,7 @@ struct OutputFileRules {
   /// Of files that the command writes, which it may replace. Without one it replaces only a file
   /// that has the same contents.
   std::string first_line;
+  std::string other_first_line{}; ///< of files that it writes in another case
 };
 
 /// A single output file that is written completely or not at all: to path(), a temporary file

@@ -9,7 +9,8 @@
 namespace prosup::evaluation {
 
 /// Writes the landmarks of a result: id, prone, supine, unloaded_from_prone and
-/// unloaded_from_supine (x, y, z each; LPS mm), and tre_mm, the distance between the last two.
+/// unloaded_from_supine (x, y, z each; LPS mm), and tre_mm, the distance between the last two; if
+/// all have error bars, these too: sd_x, sd_y, sd_z and radius_95, mm.
 /// @throws Error if a coordinate is not finite or the file cannot be written.
 void write_landmarks(const std::vector<MappedLandmark>& landmarks,
                      const std::filesystem::path& file);

@@ -1,6 +1,9 @@
 #ifndef PROSUP_EVALUATION_POINT_MAPPER_H
 #define PROSUP_EVALUATION_POINT_MAPPER_H
 
+#include <deal.II/base/tensor.h>
+
+#include <array>
 #include <cstddef>
 #include <memory>
 
@@ -17,6 +20,13 @@ enum class Configuration { loaded, unloaded };
 struct MappedPoint {
   Point<3> position;       ///< in the other configuration, LPS mm
   double distance_outside; ///< from the given point to the mesh, mm; 0 inside
+};
+
+/// Where an unloaded point lies in a mesh.
+struct MeshPlace {
+  std::array<unsigned, 4> nodes; ///< with which it moves
+  std::array<double, 4> weights; ///< of these nodes, sum 1
+  dealii::Tensor<2, 3> gradient; ///< F = dx/dX there
 };
 
 /// Maps points between the loaded and the unloaded configuration of one breast.
@@ -41,6 +51,11 @@ public:
   /// Maps a point of the configuration `from` to the other one.
   /// @throws Error if the point is not finite.
   MappedPoint map(const Point<3>& point, Configuration from) const;
+
+  /// The corners of the cell that holds an unloaded point, or of the closest triangle of the
+  /// surface, the last node twice. @throws Error if the point is not finite.
+  MeshPlace place(const Point<3>& unloaded) const;
+  std::size_t n_nodes() const;
 
   Point<3> to_unloaded(const Point<3>& loaded) const {
     return map(loaded, Configuration::loaded).position;

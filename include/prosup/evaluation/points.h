@@ -4,10 +4,12 @@
 #include <deal.II/base/point.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "prosup/core/remarks.h"
+#include "prosup/evaluation/error_bar.h"
 
 namespace prosup::evaluation {
 
@@ -15,7 +17,8 @@ using dealii::Point;
 
 struct NamedPoint {
   std::string id;
-  Point<3> position; ///< LPS, mm
+  Point<3> position;               ///< LPS, mm
+  std::optional<ErrorBar> error{}; ///< where it is known; not read from files
 };
 
 /// The formats of lists of points.
@@ -43,15 +46,17 @@ std::vector<NamedPoint> read_points(const std::filesystem::path& file);
 std::vector<NamedPoint> parse_points(const std::string& text, PointFormat format,
                                      const std::string& name, Remarks& remarks);
 
-/// The first line of points that are written as CSV.
+/// The first line of points that are written as CSV, and of those whose error bars are known.
 constexpr const char* points_header = "id,x,y,z";
+constexpr const char* points_with_errors_header = "id,x,y,z,sd_x,sd_y,sd_z,radius_95";
 
 /// The format of points that are written to `file`: as point_format(), or CSV if the name has no
 /// ending, such as /dev/stdout, or ends in .txt.
 PointFormat output_format(const std::filesystem::path& file);
 
-/// Writes points, LPS mm, to 1e-6 mm.
-/// @throws Error if a coordinate is not finite or the file cannot be written.
+/// Writes points, LPS mm, to 1e-6 mm. If all have error bars, CSV has them in further columns, mm,
+/// and markups in the descriptions of the points.
+/// @throws Error if a number is not finite or the file cannot be written.
 void write_points(const std::vector<NamedPoint>& points, const std::filesystem::path& file,
                   PointFormat format = PointFormat::csv);
 

@@ -2,9 +2,11 @@
 #define PROSUP_EVALUATION_TARGET_REGISTRATION_ERROR_H
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "prosup/evaluation/error_bar.h"
 #include "prosup/evaluation/landmarks.h"
 #include "prosup/evaluation/point_mapper.h"
 
@@ -30,6 +32,7 @@ ErrorStatistics initial_error(const std::vector<Landmark>& landmarks);
 struct MappedLandmark {
   Landmark landmark;
   MappedPoint from_prone, from_supine; ///< unloaded positions, LPS mm
+  std::optional<ErrorBar> error_bar{}; ///< of the distance between the two
 
   /// Target registration error: the distance between the two unloaded positions, mm.
   double error() const { return from_prone.position.distance(from_supine.position); }

@@ -3,9 +3,11 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "prosup/core/position.h"
+#include "prosup/evaluation/error_bar.h"
 #include "prosup/mesh/tet_mesh.h"
 
 namespace prosup::output {
@@ -16,15 +18,21 @@ constexpr const char* registration_xdmf = "registration.xdmf";
 
 /// Writes the result of a registration as one HDF5 file, from which points can be mapped, and an
 /// XDMF file that shows it to ParaView as two time steps: 0 unloaded, 1 loaded. docs/hdf5.md
-/// describes the layout. `properties` become attributes of the group `properties`. For one rank.
+/// describes the layout. `properties` become attributes of the group `properties`; the covariances
+/// are left out if they are empty. For one rank.
 /// @throws Error if a mesh is inconsistent, a number is not finite or a file cannot be written.
 void write_registration(const PerPosition<mesh::UnloadedMesh>& meshes,
                         const std::map<std::string, double>& properties,
-                        const std::filesystem::path& folder);
+                        const std::filesystem::path& folder,
+                        const evaluation::Uncertainty::Covariances& covariances = {});
 
 /// Both configurations of one breast, in full precision. For one rank.
 /// @throws Error if the file is missing or damaged, or holds no registration.
 mesh::UnloadedMesh read_registration(const std::filesystem::path& file, Position position);
+
+/// The covariances at the nodes of both meshes, if the file has them. @throws as above.
+std::optional<evaluation::Uncertainty::Covariances>
+read_covariances(const std::filesystem::path& file);
 
 } // namespace prosup::output
 

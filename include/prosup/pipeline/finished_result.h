@@ -2,8 +2,10 @@
 #define PROSUP_PIPELINE_FINISHED_RESULT_H
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
+#include "prosup/evaluation/error_bar.h"
 #include "prosup/evaluation/point_mapper.h"
 
 namespace prosup::pipeline {
@@ -16,6 +18,11 @@ void require_finished(const std::filesystem::path& result);
 /// result folder of `register` or its registration.h5.
 /// @throws Error if the mesh is missing or damaged.
 evaluation::PointMapper read_mapper(const std::filesystem::path& result, const std::string& state);
+
+/// The covariances of a result, if it has them: results of earlier versions and of finite
+/// differences have none. @throws Error if they are damaged.
+std::optional<evaluation::Uncertainty::Covariances>
+read_covariances(const std::filesystem::path& result);
 
 } // namespace prosup::pipeline
 

@@ -34,6 +34,10 @@ public:
   std::optional<evaluation::ErrorStatistics>
   evaluate(const PerPosition<mesh::UnloadedMesh>& meshes);
 
+  /// Gives the landmarks of the last evaluation their error bars.
+  void add_error_bars(const PerPosition<mesh::UnloadedMesh>& meshes,
+                      const evaluation::Uncertainty::Covariances& covariances);
+
   /// Distances of the unloaded positions found for one breast from the true ones, where these are
   /// known.
   std::optional<evaluation::ErrorStatistics> evaluate(Position position,

@@ -68,6 +68,7 @@ private:
   registration::Registration registration_;
   LandmarkEvaluation landmarks_;
   registration::RegistrationResult found_;
+  registration::UncertaintyParameters::Covariances covariances_; // on rank 0
   std::vector<output::ConvergenceEntry> convergence_;
   registration::Quality quality_;
   Outcome outcome_ = Outcome::success;       // on rank 0

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "prosup/evaluation/error_bar.h"
 #include "prosup/image/voxel_image.h"
 #include "prosup/mesh/tet_mesh.h"
 #include "prosup/pipeline/result_parameters.h"
@@ -24,6 +25,11 @@ write_images(PerPosition<mesh::UnloadedMesh>& meshes,
              const PerPosition<registration::OriginalImage>& originals,
              const ResultParameters& parameters, const std::filesystem::path& folder,
              const registration::RankSplit& ranks);
+
+/// Writes output::radius_image() on the grid of the unloaded images. For one rank.
+void write_radius_image(const PerPosition<mesh::UnloadedMesh>& meshes,
+                        const evaluation::Uncertainty::Covariances& covariances,
+                        const ResultParameters& parameters, const std::filesystem::path& folder);
 
 } // namespace prosup::pipeline
 

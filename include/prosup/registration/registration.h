@@ -17,6 +17,7 @@
 #include "prosup/registration/pre_alignment.h"
 #include "prosup/registration/registration_state.h"
 #include "prosup/registration/scene_check.h"
+#include "prosup/registration/uncertainty.h"
 #include "prosup/similarity/similarity_parameters.h"
 
 namespace prosup::registration {
@@ -32,6 +33,7 @@ struct RegistrationParameters {
   similarity::SimilarityParameters similarity;
   MaterialUpdate material_update;
   ImageForceRegistration image_forces;
+  UncertaintyParameters uncertainty;
 };
 
 /// What a registration has found.
@@ -79,6 +81,10 @@ public:
   }
   /// As it is now.
   RegistrationResult result() const;
+  /// How sure the unloaded positions are after match_images(), at the nodes of the meshes of
+  /// result(), mm^2, on rank 0. Empty if this is not wanted or not known, as after forces that were
+  /// accumulated.
+  UncertaintyParameters::Covariances covariances() const;
 
   /// Whether it can be kept and resumed: breasts of finite elements can.
   bool has_state() const;

@@ -4,11 +4,8 @@
 #include <deal.II/lac/solver_control.h>
 
 #include <algorithm>
-#include <cmath>
-#include <variant>
 
-#include "mechanics/element/point_response.h"
-#include "prosup/mechanics/body/cell_edges.h"
+#include "cell_stiffness.h"
 
 namespace prosup::mechanics {
 
@@ -17,23 +14,6 @@ using namespace dealii;
 namespace {
 
 constexpr unsigned max_iterations = 2000;
-
-/// Gradients of the barycentric coordinates of a cell and its volume.
-struct CellShape {
-  std::array<Tensor<1, 3>, 4> gradient; ///< 1/mm
-  double volume;                        ///< mm^3
-
-  CellShape(const std::array<unsigned, 4>& nodes, const NodeVector& positions) {
-    const Tensor<2, 3> edges = cell_edges(nodes, positions);
-    volume = std::abs(determinant(edges)) / 6.;
-    const Tensor<2, 3> inverse = invert(edges);
-    gradient[0] = Tensor<1, 3>();
-    for (unsigned b = 0; b < 3; ++b) {
-      gradient[b + 1] = inverse[b];
-      gradient[0] -= inverse[b];
-    }
-  }
-};
 
 } // namespace
 
@@ -105,27 +85,11 @@ void ElasticMetric::list_couplings() {
   blocks_.resize(column_.size());
 }
 
-// The tangent of element_tangent.h at F = 1, where h_a = g_a = G_a:
-//   k_ab = V [a g_a.g_b I + (aa + 2 ab + bb) g_a g_b^T - b g_b g_a^T].
 void ElasticMetric::add_elements(const Material& material, const NodeVector& unloaded) {
-  const Tensor<2, 3> identity = unit_symmetric_tensor<3>();
-  const auto add = [&](const auto& law) {
-    const unsigned n_per_element = body_.element().n_cells();
-    for (unsigned cell = 0; cell < body_.cells().size(); ++cell) {
-      const CellShape shape(body_.cells()[cell], unloaded);
-      const PointResponse at_rest = response(law, material[cell / n_per_element], identity, 1.);
-      const auto& [aa, ab, bb] = at_rest.tangent;
-      for (unsigned a = 0; a < 4; ++a)
-        for (unsigned b = 0; b < 4; ++b) {
-          const auto &g = shape.gradient[a], &h = shape.gradient[b];
-          blocks_[slots_[cell][4 * a + b]] +=
-              shape.volume *
-              (at_rest.stress.a * (g * h) * identity - at_rest.stress.b * outer_product(h, g) +
-               (aa + 2. * ab + bb) * outer_product(g, h));
-        }
-    }
-  };
-  std::visit(add, material.law());
+  for_each_cell_stiffness(body_, material, unloaded, [&](unsigned cell, const CellBlocks& blocks) {
+    for (unsigned i = 0; i < blocks.size(); ++i)
+      blocks_[slots_[cell][i]] += blocks[i];
+  });
   const std::vector<double>& springs = supports_.spring_stiffness();
   for (unsigned node = 0; node < std::min<std::size_t>(springs.size(), body_.n_owned_nodes());
        ++node)

@@ -72,6 +72,26 @@ TEST(Points, AreWrittenAndReadBack) {
   EXPECT_EQ(points[1].position, Point<3>(0., 0., 1e-6));
 }
 
+TEST(Points, WithErrorBarsHaveMoreColumns) {
+  const TemporaryFolder folder;
+  const ErrorBar bar{dealii::Tensor<1, 3>({0.5, 0.25, 2.}), 4.125};
+  write_points({{"a", {1., 2., 3.}, bar}}, folder / "out.csv");
+  EXPECT_EQ(contents(folder / "out.csv"),
+            std::string(points_with_errors_header) +
+                "\na,1.000000,2.000000,3.000000,0.500000,0.250000,2.000000,4.125000\n");
+  for (const char* name : {"out.fcsv", "out.mrk.json"}) {
+    write_points({{"a", {1., 2., 3.}, bar}}, folder / name, point_format(name));
+    EXPECT_NE(contents(folder / name).find("95 % within 4.12 mm"), std::string::npos) << name;
+    EXPECT_EQ(read_points(folder / name).at(0).position, Point<3>(1., 2., 3.)) << name;
+  }
+  const ErrorBar wrong{{}, std::numeric_limits<double>::infinity()};
+  expect_error(
+      [&] {
+        write_points({{"a", {1., 2., 3.}, wrong}}, folder / "wrong.csv");
+      },
+      {"point 'a'", "not a finite number"});
+}
+
 TEST(Points, ThatAreNotFiniteAreNotWritten) {
   const TemporaryFolder folder;
   const auto file = folder / "out.csv";

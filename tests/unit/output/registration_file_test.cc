@@ -55,6 +55,25 @@ TEST(RegistrationFile, RoundTripIsExact) {
   EXPECT_FALSE(file.text("version").empty());
 }
 
+TEST(RegistrationFile, KeepsTheCovariancesIfThereAreAny) {
+  const TemporaryFolder folder;
+  const auto meshes = irrational_meshes();
+  write_registration(meshes, {}, folder / "");
+  EXPECT_FALSE(read_covariances(folder / registration_h5));
+  evaluation::Uncertainty::Covariances covariances;
+  for (const Position position : both_positions)
+    for (std::size_t node = 0; node < meshes[position].unloaded.size(); ++node) {
+      evaluation::Covariance& covariance = covariances[position].emplace_back();
+      for (unsigned i = 0; i < 6; ++i)
+        covariance.access_raw_entry(i) = 1. / (1. + double(node) + i);
+    }
+  write_registration(meshes, {}, folder / "", covariances);
+  const auto read = read_covariances(folder / registration_h5);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->prone, covariances.prone);
+  EXPECT_EQ(read->supine, covariances.supine);
+}
+
 // What ParaView reads is there, and has the numbers of rows and columns that the XDMF file tells.
 TEST(RegistrationFile, XdmfNamesDataSetsOfTheRightSizes) {
   const TemporaryFolder folder;

@@ -1,0 +1,193 @@
+#include "prosup/registration/uncertainty.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "posterior.h"
+#include "prosup/core/collective.h"
+#include "prosup/mechanics/body/boundary.h"
+#include "prosup/mesh/tet_mesh.h"
+#include "prosup/registration/element_breast.h"
+#include "prosup/similarity/image_force.h"
+
+namespace prosup::registration {
+
+using namespace dealii;
+using mechanics::node_value;
+using mechanics::NodeVector;
+using mechanics::Supports;
+
+namespace {
+
+constexpr auto chest_wall = static_cast<types::boundary_id>(mesh::BoundaryPart::chest_wall);
+constexpr auto cut_plane = static_cast<types::boundary_id>(mesh::BoundaryPart::cut_plane);
+
+// What gives way where the model holds tissue: the thickness of tissue of the breast's stiffness
+// behind the chest wall (the error of masks and mesh there) and beyond a cut plane.
+constexpr double chest_layer = 10., cut_layer = 40.; // mm
+constexpr double level = 2.;                         // mm, of the voxels for H
+
+// Fitted to reference cases, see docs/uncertainty.md.
+constexpr double image_weight = 10.; // w: the model is trusted less than by the image forces
+constexpr double prior = 3000.;      // tau, Pa mm^3
+constexpr double unseen_part = 1.;   // b
+constexpr unsigned unseen_power = 4; // of u
+constexpr double cut_part = 15.;     // c
+constexpr double cut_reach = 15.;    // l, mm
+
+/// The breast on springs instead of supports that do not give way, at its present X.
+struct YieldingBreast {
+  NodeVector unloaded;
+  Supports supports;
+
+  YieldingBreast(const ElementBreast& breast, double shear_modulus)
+      : unloaded(breast.unloading().unloaded()), supports(breast.body()) {
+    unloaded.update_ghost_values();
+    supports.add_springs({chest_wall}, shear_modulus / chest_layer);
+    supports.add_springs({cut_plane}, shear_modulus / cut_layer);
+    supports.set_reference(unloaded);
+  }
+};
+
+/// The sum over both breasts of the root mean square of |X - X0|, mm.
+double distance_moved(const BreastPair& pair, const PerPosition<NodeVector>& start) {
+  double total = 0.;
+  for (const Position position : both_positions) {
+    double sums[2] = {0., 0.};
+    if (pair.ranks().holds(position)) {
+      const ElementBreast& breast = *pair[position].elements();
+      for (unsigned node = 0; node < breast.body().n_owned_nodes(); ++node, ++sums[1])
+        sums[0] +=
+            (node_value(breast.unloading().unloaded(), node) - node_value(start[position], node))
+                .norm_square();
+    }
+    Utilities::MPI::sum(ArrayView<const double>(sums, 2), pair.ranks().world(),
+                        ArrayView<double>(sums, 2));
+    total += std::sqrt(sums[0] / sums[1]);
+  }
+  return total;
+}
+
+/// The distance of each owned node from the closest node on a cut plane, mm.
+std::vector<double> distance_from_cut(const mechanics::Body& body, const NodeVector& unloaded) {
+  std::vector<Point<3>> mine, all;
+  const std::vector<bool> is_cut = nodes_on_boundary(body, {cut_plane});
+  for (unsigned node = 0; node < body.n_owned_nodes(); ++node)
+    if (is_cut[node])
+      mine.emplace_back(node_value(unloaded, node));
+  for (const auto& points : Utilities::MPI::all_gather(body.communicator(), mine))
+    all.insert(all.end(), points.begin(), points.end());
+  std::vector<double> distances;
+  for (unsigned node = 0; node < body.n_owned_nodes(); ++node) {
+    const Point<3> x(node_value(unloaded, node));
+    double least = std::numeric_limits<double>::max();
+    for (const Point<3>& point : all)
+      least = std::min(least, x.distance_square(point));
+    distances.push_back(std::sqrt(least));
+  }
+  return distances;
+}
+
+/// C of UncertaintyParameters from the inverse stiffness with and without images.
+NodeCovariance combined(const NodeCovariance& seen, const NodeCovariance& unseen, double moved,
+                        double from_cut) {
+  const double all = trace(unseen), left = std::min(trace(seen) / all, 1.);
+  NodeCovariance wrong = unseen_part * std::pow(left, unseen_power) / all * unseen;
+  wrong += cut_part / 3. * std::exp(-2. * from_cut / cut_reach) * unit_symmetric_tensor<3>();
+  return prior * seen + moved * moved * wrong;
+}
+
+/// Values at owned nodes on the nodes of the mesh, on the first rank of the breast.
+std::vector<NodeCovariance> at_mesh_nodes(const ElementBreast& breast,
+                                          const std::vector<NodeCovariance>& mine) {
+  NodeVector parts[2]; // diagonal, and the rest
+  for (unsigned half = 0; half < 2; ++half) {
+    breast.body().initialize(parts[half]);
+    for (unsigned node = 0; node < mine.size(); ++node)
+      for (unsigned c = 0; c < 3; ++c)
+        parts[half].local_element(3 * node + c) = mine[node].access_raw_entry(3 * half + c);
+    parts[half].update_ghost_values();
+  }
+  const mesh::TetMesh mesh = breast.mesh().mesh;
+  std::vector<NodeCovariance> covariances(mesh.points.size());
+  for (unsigned half = 0; half < 2; ++half) {
+    const auto at_cells = breast.body().gather_at_cells(parts[half]);
+    for (std::size_t cell = 0; cell < at_cells.size(); ++cell)
+      for (unsigned a = 0; a < 4; ++a)
+        for (unsigned c = 0; c < 3; ++c)
+          covariances[mesh.cells[cell][a]].access_raw_entry(3 * half + c) = at_cells[cell][a][c];
+  }
+  return covariances;
+}
+
+bool all_consist_of_elements(const BreastPair& pair) {
+  bool all = true;
+  pair.for_each([&](Position, Breast& breast) { all = all && breast.elements() != nullptr; });
+  return all;
+}
+
+/// Sends what the first ranks of both breasts have to rank 0.
+void collect(const RankSplit& ranks, UncertaintyParameters::Covariances& covariances) {
+  const int rank = Utilities::MPI::this_mpi_process(ranks.world());
+  for (const Position position : both_positions) {
+    const int holder = ranks.first_rank(position);
+    if (rank == 0 || rank == holder)
+      transfer(covariances[position], holder, 0, ranks.world());
+  }
+  if (rank != 0)
+    covariances = {};
+}
+
+} // namespace
+
+UncertaintyParameters::UncertaintyParameters() : ParameterAcceptor("Uncertainty") {}
+
+void UncertaintyParameters::declare_parameters(ParameterHandler& prm) {
+  prm.add_parameter("Wanted", wanted, "Whether the result tells how sure mapped points are.");
+  prm.add_parameter("Samples", n_samples_,
+                    "Number of random displacements from which variances are taken; these are off "
+                    "by a part of (2/n)^1/2. Units: none.",
+                    Patterns::Integer(4, 10000));
+}
+
+UncertaintyParameters::Covariances
+UncertaintyParameters::covariances(const BreastPair& pair, const ComparedImages& images,
+                                   const PerPosition<NodeVector>& start) const {
+  Covariances covariances;
+  if (!wanted || !all_consist_of_elements(pair))
+    return covariances;
+  const Comparison comparison(pair, images, Compared::images, level);
+  const double shear_modulus = pair.properties().tissue.shear_modulus,
+               moved = distance_moved(pair, start);
+  PerPosition<std::unique_ptr<YieldingBreast>> breasts;
+  PerPosition<similarity::ImagedBody> bodies;
+  pair.for_each([&](Position position, Breast& breast) {
+    breasts[position] = std::make_unique<YieldingBreast>(*breast.elements(), shear_modulus);
+    bodies[position] = {&breast.elements()->body(), &breasts[position]->unloaded,
+                        &comparison.images()[position]};
+  });
+  const similarity::SimilarityResult found =
+      similarity::ImageForce(comparison.metric(), pair.ranks().world())
+          .evaluate(comparison.domain(), bodies, similarity::Variable::unloaded, true);
+  const double kappa =
+      found.residual_variance > 0. ? image_weight * shear_modulus / found.residual_variance : 0.;
+  pair.for_each([&](Position position, Breast& breast) {
+    const ElementBreast& elements = *breast.elements();
+    const YieldingBreast& yielding = *breasts[position];
+    const PosteriorBody body{yielding.supports, elements.material(), yielding.unloaded};
+    std::vector<NodeCovariance> mine =
+        sampled_inverse(body, found.stiffness[position], 2. * kappa, n_samples_);
+    const std::vector<NodeCovariance> unseen = sampled_inverse(body, {}, 0., n_samples_);
+    const std::vector<double> from_cut = distance_from_cut(elements.body(), yielding.unloaded);
+    for (std::size_t node = 0; node < mine.size(); ++node)
+      mine[node] = combined(mine[node], unseen[node], moved, from_cut[node]);
+    covariances[position] = at_mesh_nodes(elements, mine);
+  });
+  collect(pair.ranks(), covariances);
+  return covariances;
+}
+
+} // namespace prosup::registration
