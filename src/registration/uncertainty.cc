@@ -32,7 +32,7 @@ constexpr double level = 2.;                         // mm, of the voxels for H
 
 // Fitted to reference cases, see docs/uncertainty.md.
 constexpr double image_weight = 10.; // w: the model is trusted less than by the image forces
-constexpr double prior = 3000.;      // tau, Pa mm^3
+constexpr double prior = 3000.;      // tau/V, Pa
 constexpr double unseen_part = 1.;   // b
 constexpr unsigned unseen_power = 4; // of u
 constexpr double cut_part = 15.;     // c
@@ -51,6 +51,16 @@ struct YieldingBreast {
     supports.set_reference(unloaded);
   }
 };
+
+/// The volume of the larger voxel of both images, mm^3.
+double voxel_volume(const BreastPair& pair, const ComparedImages& images) {
+  double largest = 0.;
+  pair.for_each([&](Position position, Breast&) {
+    const auto& spacing = images.images[position].grid.spacing;
+    largest = std::max(largest, spacing[0] * spacing[1] * spacing[2]);
+  });
+  return Utilities::MPI::max(largest, pair.ranks().world());
+}
 
 /// The sum over both breasts of the root mean square of |X - X0|, mm.
 double distance_moved(const BreastPair& pair, const PerPosition<NodeVector>& start) {
@@ -92,12 +102,12 @@ std::vector<double> distance_from_cut(const mechanics::Body& body, const NodeVec
 }
 
 /// C of UncertaintyParameters from the inverse stiffness with and without images.
-NodeCovariance combined(const NodeCovariance& seen, const NodeCovariance& unseen, double moved,
-                        double from_cut) {
+NodeCovariance combined(const NodeCovariance& seen, const NodeCovariance& unseen, double voxel,
+                        double moved, double from_cut) {
   const double all = trace(unseen), left = std::min(trace(seen) / all, 1.);
   NodeCovariance wrong = unseen_part * std::pow(left, unseen_power) / all * unseen;
   wrong += cut_part / 3. * std::exp(-2. * from_cut / cut_reach) * unit_symmetric_tensor<3>();
-  return prior * seen + moved * moved * wrong;
+  return prior * voxel * seen + moved * moved * wrong;
 }
 
 /// Values at owned nodes on the nodes of the mesh, on the first rank of the breast.
@@ -161,7 +171,7 @@ UncertaintyParameters::covariances(const BreastPair& pair, const ComparedImages&
     return covariances;
   const Comparison comparison(pair, images, Compared::images, level);
   const double shear_modulus = pair.properties().tissue.shear_modulus,
-               moved = distance_moved(pair, start);
+               moved = distance_moved(pair, start), voxel = voxel_volume(pair, images);
   PerPosition<std::unique_ptr<YieldingBreast>> breasts;
   PerPosition<similarity::ImagedBody> bodies;
   pair.for_each([&](Position position, Breast& breast) {
@@ -183,7 +193,7 @@ UncertaintyParameters::covariances(const BreastPair& pair, const ComparedImages&
     const std::vector<NodeCovariance> unseen = sampled_inverse(body, {}, 0., n_samples_);
     const std::vector<double> from_cut = distance_from_cut(elements.body(), yielding.unloaded);
     for (std::size_t node = 0; node < mine.size(); ++node)
-      mine[node] = combined(mine[node], unseen[node], moved, from_cut[node]);
+      mine[node] = combined(mine[node], unseen[node], voxel, moved, from_cut[node]);
     covariances[position] = at_mesh_nodes(elements, mine);
   });
   collect(pair.ranks(), covariances);

@@ -17,10 +17,11 @@ namespace prosup::registration {
 ///   u = tr (K + 2 kappa H)^-1 / tr K^-1,
 /// is the covariance of the distance between the unloaded positions that the two images give the
 /// same tissue. K is the stiffness of the unloaded breast whose supports give way, H that of the
-/// images, kappa = w mu/sigma^2. The first term is the posterior of the image forces. D, the
-/// distance by which the image forces had to move the breasts, tells how wrong the model is: the
-/// second term leaves this error where the images cannot see it, and the third where tissue is cut
-/// off, at the distance d. docs/uncertainty.md tells where the constants come from.
+/// images, kappa = w mu/sigma^2, tau is proportional to the volume of a voxel. The first term is
+/// the posterior of the image forces. D, the distance by which the image forces had to move the
+/// breasts, tells how wrong the model is: the second term leaves this error where the images cannot
+/// see it, and the third where tissue is cut off, at the distance d. docs/uncertainty.md tells
+/// where the constants come from.
 class UncertaintyParameters : public dealii::ParameterAcceptor {
 public:
   UncertaintyParameters();
