@@ -19,9 +19,9 @@ public:
   /// @throws Error if one of these files is in the way of a new one, or is read by the run.
   void check(const std::vector<std::string>& names) const;
 
-  /// Moves the files of `source`, which `fresh` lists and which have been checked, into the folder. Stopped at any point,
-  /// it leaves a folder without summary.json, whose marker lists the files of both results. @throws
-  /// Error if a file cannot be moved.
+  /// Moves the files of `source`, which `fresh` lists and which have been checked, into the folder.
+  /// Stopped at any point, it leaves a folder without summary.json, whose marker lists the files of
+  /// both results. @throws Error if a file cannot be moved.
   void move_in(const std::filesystem::path& source, const ResultMarker& fresh) const;
 
 private:

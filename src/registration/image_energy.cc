@@ -46,11 +46,11 @@ ImageEnergy::ImageEnergy(const BreastPair& pair, const JacobianBounds& bounds,
     const bool is_given = start[position].size() > 0;
     start_[position] = is_given ? start[position] : elements.unloading().unloaded();
     start_[position].update_ghost_values();
-    if (is_given) // springs act on areas at X0, whatever the present X
-      elements.supports().set_reference(start_[position]);
+    elements.supports().set_reference(start_[position]); // springs act on areas at X0
     elements.supports().contacts().put_on_surfaces(start_[position]);
     metric_[position] = std::make_unique<mechanics::ElasticMetric>(
         elements.supports(), elements.material(), start_[position]);
+    elements.supports().set_reference(elements.unloading().unloaded()); // as the simulation had it
   });
 }
 

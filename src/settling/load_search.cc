@@ -10,7 +10,7 @@ namespace prosup::settling {
 namespace {
 
 // Bisection, to 1/32 of gravity.
-constexpr unsigned n_tries = 5, steps_per_try = 3000;
+constexpr unsigned n_tries = 5, steps_per_try = 6000;
 
 } // namespace
 

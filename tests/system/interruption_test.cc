@@ -192,7 +192,8 @@ TEST(Interruption, ByAFullDiskNamesTheFile) {
     const std::string err = contents(folder / "err.txt");
     EXPECT_EQ(n_lines(err), 1u) << err;
     EXPECT_NE(err.find("cannot be written"), std::string::npos) << err;
-    EXPECT_NE(err.find((folder / "result/").string()), std::string::npos) << err; // not a temporary name
+    EXPECT_NE(err.find((folder / "result/").string()), std::string::npos)
+        << err; // not a temporary name
     EXPECT_EQ(n_entries(folder / ""), 2u);
   }
 }

@@ -167,6 +167,8 @@ TEST_F(PhantomCommand, TissueThatSlidesIsUnloadedToTheTruth) {
                                        "--set",
                                        "Supports/Chest stiffness=4",
                                        "--set",
+                                       "Supports/Cut planes=common",
+                                       "--set",
                                        "Single state/Solver=" + solver,
                                        "--output",
                                        result});

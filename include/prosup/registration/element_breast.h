@@ -26,7 +26,7 @@ public:
     mesh::TetMesh
         mesh; ///< that of Body::cells() on the first rank; empty if mesh() is not asked for
     mesh::TetMesh coarse{}; ///< where the body was made of a coarser one (quadratic elements)
-    dealii::Tensor<1, 3> gravity{}; ///< direction without tilt; 0: what `unloading` has is kept
+    dealii::Tensor<1, 3> gravity{};     ///< direction without tilt; 0: what `unloading` has is kept
     std::vector<std::string> remarks{}; ///< what is doubtful about it, each a sentence
   };
 

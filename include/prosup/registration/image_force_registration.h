@@ -87,7 +87,7 @@ private:
   std::vector<double> levels_{4., 2., 1.};
   unsigned updates_per_level_ = 20;
   double weight_ = 0.1;
-  double model_error_ = 0.3;
+  double model_error_ = 1.;
   double smallest_jacobian_ = 0.2;
   double largest_jacobian_ = 2.;
   double least_gain_ = 0.02;

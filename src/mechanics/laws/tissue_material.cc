@@ -40,13 +40,13 @@ void TissueMaterial::declare_parameters(ParameterHandler& prm) {
                     one_of(law_names()));
   prm.add_parameter("Shear modulus", initial_.shear_modulus,
                     "mu, common to all tissues. The material update starts from this value. "
-                    "Units: Pa. The default is the generic material of the paper (E = 1 kPa, "
-                    "nu = 0.4).",
+                    "Units: Pa. The default is that of the paper's generic material.",
                     Patterns::Double(1e-3, 1e9));
   prm.add_parameter(
       "Poisson ratio", initial_.poisson_ratio,
-      "nu, common to all tissues; lambda = 2 mu nu / (1 - 2 nu). Units: none. The default is the "
-      "generic material of the paper. Linear tetrahedra lock as nu approaches 0.5.",
+      "nu, common to all tissues; lambda = 2 mu nu / (1 - 2 nu). Units: none. With the 0.40 of the "
+      "paper's generic material a real breast changes its volume by 5 to 12 percent from prone to "
+      "supine, with 0.45 by half of that. Linear tetrahedra lock as nu approaches 0.5.",
       Patterns::Double(0., 0.4999));
   prm.add_parameter("Stiffness ratios", stiffness_ratios_,
                     "Shear modulus of each tissue over 'Shear modulus', as 'label: ratio'. "

@@ -1,5 +1,6 @@
 // Chests as masks of real breasts have them: with a sharp crest, as a thin sheath.
 
+#include <deal.II/base/mpi.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -68,7 +69,8 @@ public:
 
   unsigned n_fixed() {
     const std::vector<bool> fixed = supports(ChestCondition::sliding)->fixed();
-    return unsigned(std::count(fixed.begin(), fixed.end(), true));
+    return Utilities::MPI::sum(unsigned(std::count(fixed.begin(), fixed.end(), true)),
+                               MPI_COMM_WORLD);
   }
 
   /// The unloaded positions.
@@ -102,7 +104,7 @@ double largest_difference(const mechanics::NodeVector& a, const mechanics::NodeV
   double largest = 0.;
   for (unsigned i = 0; i < a.locally_owned_size(); ++i)
     largest = std::max(largest, std::abs(a.local_element(i) - b.local_element(i)));
-  return largest;
+  return Utilities::MPI::max(largest, MPI_COMM_WORLD);
 }
 
 TEST(RealChest, HoldsNothingWhereItIsSmooth) {

@@ -15,7 +15,7 @@ namespace prosup::mechanics {
 /// The properties of the tissues that are not known and may be found from the images.
 struct TissueStiffness {
   double shear_modulus = 357.1; ///< mu of a tissue whose stiffness ratio is 1, Pa
-  double poisson_ratio = 0.4;   ///< nu, of all tissues
+  double poisson_ratio = 0.45;  ///< nu, of all tissues
   double gland_ratio = 1.;      ///< multiplies the stiffness ratio of gland
 };
 
