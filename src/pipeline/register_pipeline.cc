@@ -99,7 +99,7 @@ Outcome RegisterPipeline::run() {
   run_.stage(stage::write, [&] { write(); });
   const std::string errors = output::error_table(run_.summary());
   run_.finish(errors + (errors.empty() ? "" : "\n") + output::verdict_text(run_.summary()));
-  if (checkpoints_ && !std::getenv("P_OUT"))
+  if (checkpoints_)
     checkpoints_->remove();
   return dealii::Utilities::MPI::broadcast(registration_.ranks().world(), outcome_);
 }
