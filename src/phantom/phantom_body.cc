@@ -22,13 +22,9 @@ namespace {
 
 constexpr double edges_per_voxel = 5.; // of the labels that the mesh is made of
 
-constexpr types::boundary_id id(mesh::BoundaryPart part) {
-  return static_cast<types::boundary_id>(part);
-}
-
-constexpr types::boundary_id chest_wall = id(mesh::BoundaryPart::chest_wall),
-                             cut_plane = id(mesh::BoundaryPart::cut_plane),
-                             skin = id(mesh::BoundaryPart::skin);
+constexpr auto chest_wall = mesh::boundary_id_of(mesh::BoundaryPart::chest_wall),
+               cut_plane = mesh::boundary_id_of(mesh::BoundaryPart::cut_plane),
+               skin = mesh::boundary_id_of(mesh::BoundaryPart::skin);
 
 mesh::TetMesh make_mesh(double edge_length, const Anatomy& anatomy) {
   image::LabelImage labels(meshing_grid(anatomy.geometry(), edge_length / edges_per_voxel));

@@ -35,6 +35,10 @@ bool BreastPair::all(const std::function<bool(Breast&)>& is_so) const {
   return dealii::Utilities::MPI::min(here, ranks_.world()) > 0;
 }
 
+bool BreastPair::consists_of_elements() const {
+  return all([](Breast& breast) { return breast.elements() != nullptr; });
+}
+
 bool BreastPair::has_gland() const {
   return !all([](Breast& breast) { return !breast.has_gland(); });
 }

@@ -105,8 +105,7 @@ ImageForceResult ImageForceRegistration::run(BreastPair& pair, const ComparedIma
 void ImageForceRegistration::run(BreastPair& pair, const ComparedImages& images, const Log& log,
                                  const Observer& observer, ImageForceProgress& progress,
                                  const Keeper& keep) const {
-  if (scheme_ == accumulated ||
-      !pair.all([](Breast& breast) { return breast.elements() != nullptr; }))
+  if (scheme_ == accumulated || !pair.consists_of_elements())
     accumulate(pair, images, log, observer, progress, keep);
   else
     descend(pair, images, log, observer, progress, keep);

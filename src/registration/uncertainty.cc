@@ -22,8 +22,8 @@ using mechanics::Supports;
 
 namespace {
 
-constexpr auto chest_wall = static_cast<types::boundary_id>(mesh::BoundaryPart::chest_wall);
-constexpr auto cut_plane = static_cast<types::boundary_id>(mesh::BoundaryPart::cut_plane);
+constexpr auto chest_wall = mesh::boundary_id_of(mesh::BoundaryPart::chest_wall);
+constexpr auto cut_plane = mesh::boundary_id_of(mesh::BoundaryPart::cut_plane);
 
 // What gives way where the model holds tissue: the thickness of tissue of the breast's stiffness
 // behind the chest wall (the error of masks and mesh there) and beyond a cut plane.
@@ -133,12 +133,6 @@ std::vector<NodeCovariance> at_mesh_nodes(const ElementBreast& breast,
   return covariances;
 }
 
-bool all_consist_of_elements(const BreastPair& pair) {
-  bool all = true;
-  pair.for_each([&](Position, Breast& breast) { all = all && breast.elements() != nullptr; });
-  return all;
-}
-
 /// Sends what the first ranks of both breasts have to rank 0.
 void collect(const RankSplit& ranks, UncertaintyParameters::Covariances& covariances) {
   const int rank = Utilities::MPI::this_mpi_process(ranks.world());
@@ -167,7 +161,7 @@ UncertaintyParameters::Covariances
 UncertaintyParameters::covariances(const BreastPair& pair, const ComparedImages& images,
                                    const PerPosition<NodeVector>& start) const {
   Covariances covariances;
-  if (!wanted || !all_consist_of_elements(pair))
+  if (!wanted || !pair.consists_of_elements())
     return covariances;
   const Comparison comparison(pair, images, Compared::images, level);
   const double shear_modulus = pair.properties().tissue.shear_modulus,

@@ -22,7 +22,7 @@ constexpr double part_of_largest = 0.25;
 constexpr double most_at_once = 0.03, most_in_all = 0.06;
 constexpr unsigned few = 6; // are always an exception
 
-constexpr auto chest_wall = static_cast<types::boundary_id>(mesh::BoundaryPart::chest_wall);
+constexpr auto chest_wall = mesh::boundary_id_of(mesh::BoundaryPart::chest_wall);
 
 } // namespace
 

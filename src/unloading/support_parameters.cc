@@ -22,8 +22,8 @@ using mechanics::Supports;
 
 namespace {
 
-constexpr auto chest_wall = static_cast<types::boundary_id>(mesh::BoundaryPart::chest_wall);
-constexpr auto cut_plane = static_cast<types::boundary_id>(mesh::BoundaryPart::cut_plane);
+constexpr auto chest_wall = mesh::boundary_id_of(mesh::BoundaryPart::chest_wall);
+constexpr auto cut_plane = mesh::boundary_id_of(mesh::BoundaryPart::cut_plane);
 
 constexpr double farthest_slide = 25.; // mm, beyond the nodes on the chest
 

@@ -2,6 +2,7 @@
 #define PROSUP_MESH_TET_MESH_H
 
 #include <deal.II/base/point.h>
+#include <deal.II/base/types.h>
 
 #include <array>
 #include <cstdint>
@@ -14,6 +15,10 @@ using dealii::Point;
 /// What lies beyond a boundary face of a breast mesh. The numbers are the boundary ids of the
 /// deal.II triangulation.
 enum class BoundaryPart : unsigned { chest_wall = 1, cut_plane = 2, skin = 3 };
+
+constexpr dealii::types::boundary_id boundary_id_of(BoundaryPart part) {
+  return static_cast<dealii::types::boundary_id>(part);
+}
 
 struct BoundaryFace {
   std::array<unsigned, 3> nodes; ///< ordered so that the normal points outwards

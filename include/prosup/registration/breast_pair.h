@@ -28,6 +28,8 @@ public:
 
   /// Whether `is_so` holds for both breasts. Collective on the world.
   bool all(const std::function<bool(Breast&)>& is_so) const;
+  /// Whether Breast::elements() is there for both.
+  bool consists_of_elements() const;
   /// Whether either breast has gland.
   bool has_gland() const;
   const MechanicalProperties& properties() const { return properties_; }
