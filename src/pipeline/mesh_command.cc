@@ -4,6 +4,7 @@
 #include "prosup/output/vtu.h"
 #include "prosup/pipeline/commands.h"
 #include "prosup/pipeline/result_run.h"
+#include "prosup/registration/completed_labels.h"
 
 namespace prosup::pipeline {
 
@@ -35,6 +36,11 @@ bool run_mesh(const AllParameters& parameters, const dealii::ParameterHandler& a
           parameters.registration.images.read_breast(given.files(), position, run.remarks()).labels;
       const registration::SceneCheck& checks = parameters.registration.checks;
       checks.check_one(labels, position).tell(run.remarks());
+      std::vector<std::string> remarks;
+      labels = registration::completed_labels(
+          labels, position, parameters.registration.labels.chest, run.log(), remarks);
+      for (const std::string& remark : remarks)
+        run.remarks().add(remark);
     });
   });
   run.stage("Meshing",

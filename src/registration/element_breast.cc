@@ -3,11 +3,11 @@
 #include <utility>
 
 #include "prosup/core/collective.h"
-#include "prosup/image/body_labels.h"
 #include "prosup/mesh/deformation.h"
 #include "prosup/mesh/distributed.h"
 #include "prosup/mesh/quality.h"
 #include "prosup/mesh/refine.h"
+#include "prosup/registration/completed_labels.h"
 #include "steps_within.h"
 
 namespace prosup::registration {
@@ -22,8 +22,8 @@ namespace {
 constexpr double shorter_edge = 0.87;   // of what was asked for
 constexpr double worth_a_remark = 0.02; // of the faces of a base
 
-constexpr auto chest_wall = static_cast<types::boundary_id>(mesh::BoundaryPart::chest_wall);
-constexpr auto cut_plane = static_cast<types::boundary_id>(mesh::BoundaryPart::cut_plane);
+constexpr auto chest_wall = mesh::boundary_id_of(mesh::BoundaryPart::chest_wall);
+constexpr auto cut_plane = mesh::boundary_id_of(mesh::BoundaryPart::cut_plane);
 
 } // namespace
 
@@ -117,30 +117,6 @@ mesh::UnloadedMesh ElementBreast::mesh() const {
 
 namespace {
 
-/// The labels with what they leave unsaid, up to where they end flat; says what was assumed.
-image::LabelImage completed_labels(const image::LabelImage& given, const BreastInput& input,
-                                   std::vector<std::string>& remarks) {
-  const char* const name = name_of(input.position);
-  std::size_t n_filled = 0;
-  const image::LabelImage labels =
-      image::with_inside_of_chest(given, input.scene.chest_label, &n_filled);
-  if (n_filled > 0)
-    input.log.line(format("  %s: %.3g ml of air behind the chest label taken for chest", name,
-                          1e-3 * double(n_filled) * given.grid.voxel_volume()));
-  const std::vector<image::FlatEnd> ends = image::flat_ends(labels, input.scene.chest_label);
-  for (const image::FlatEnd& end : ends) {
-    Tensor<1, 3> outwards;
-    for (unsigned c = 0; c < 3; ++c)
-      outwards[c] = (end.is_upper ? 1. : -1.) * given.grid.direction[c][end.axis];
-    remarks.push_back(format(
-        "The mask of the %s breast ends flat inside the image, on %.0f mm2 facing (%.2g, %.2g, "
-        "%.2g); this was taken for a cut plane, not for skin, so label what lies beyond it, or "
-        "crop the image there.",
-        name, end.area, outwards[0], outwards[1], outwards[2]));
-  }
-  return ends.empty() ? labels : image::cropped_to(labels, ends);
-}
-
 /// The mesher takes shorter edges where thin parts of the mask make it fail.
 void tell_shorter_edges(const mesh::TetMesh& mesh, double wanted, Position position,
                         std::vector<std::string>& remarks) {
@@ -171,7 +147,8 @@ std::unique_ptr<ElementBreast>
 make_element_breast(const BreastModel& model, const BreastInput& input, MPI_Comm communicator) {
   const image::LabelImage& given = input.scene.labels[input.position];
   std::vector<std::string> remarks;
-  const image::LabelImage labels = completed_labels(given, input, remarks);
+  const image::LabelImage labels =
+      completed_labels(given, input.position, input.scene.chest_label, input.log, remarks);
   const mesh::MeshSource& mesher = input.mesher == nullptr ? model.mesher : *input.mesher;
   const mechanics::Element element = model.elements.element();
   ElementBreast::Parts parts;

@@ -1,0 +1,23 @@
+#ifndef PROSUP_REGISTRATION_COMPLETED_LABELS_H
+#define PROSUP_REGISTRATION_COMPLETED_LABELS_H
+
+#include <string>
+#include <vector>
+
+#include "prosup/core/log.h"
+#include "prosup/core/position.h"
+#include "prosup/image/voxel_image.h"
+
+namespace prosup::registration {
+
+/// The labels from which a breast is meshed: air behind a sheath of chest muscle is chest
+/// (image::with_inside_of_chest()), and the image ends where the mask ends flat inside it
+/// (image::flat_ends()), so that there is a cut plane and no skin. Tells `log` of the first, and
+/// adds a sentence to `remarks` for each of the second.
+image::LabelImage completed_labels(const image::LabelImage& given, Position position,
+                                   unsigned chest_label, const Log& log,
+                                   std::vector<std::string>& remarks);
+
+} // namespace prosup::registration
+
+#endif
