@@ -162,7 +162,8 @@ void Unloading::Simulation::load_between(double from, double to) {
 /// jump to and fro on a chest without a clear normal.
 settling::Remedy Unloading::Simulation::mend(settling::Trouble trouble) {
   if (!loop_.has_settled() && ++n_troubles_ == troubles_before_holding)
-    return hold_chest();
+    if (const settling::Remedy held = hold_chest(); held.starts_anew)
+      return held;
   if (trouble != settling::Trouble::stall)
     return {};
   if (damping_.mend_fixed_rate(integrator_, state_.displacement, external_force_))
