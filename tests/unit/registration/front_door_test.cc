@@ -1,6 +1,7 @@
 #include <deal.II/base/mpi.h>
 #include <gtest/gtest.h>
 
+#include "expect_error.h"
 #include "prosup/core/parameters.h"
 #include "prosup/registration/registration.h"
 #include "prosup/similarity/sum_of_squared_differences.h"
@@ -98,6 +99,28 @@ TEST(Registration, HandsOutBothMeshesOnTheFirstRank) {
       }
     }
   }
+}
+
+// 45 Pa is too soft for this mesh: no unloaded state is found until it is stiffened once.
+TEST(Registration, StartsStifferWhereTheGivenModulusHasNoUnloadedState) {
+  const RegistrationParameters parameters;
+  set_coarse({"Material/Shear modulus=45", "Material update/Method=search"});
+  Registration registration(parameters);
+  registration.read(small_case());
+  const auto unloaded = registration.unload();
+  EXPECT_TRUE(unloaded.prone.converged && unloaded.supine.converged);
+  ASSERT_EQ(unloaded.prone.remarks.size(), 1u);
+  EXPECT_NE(unloaded.prone.remarks[0].find("starts from 67.5 Pa"), std::string::npos)
+      << unloaded.prone.remarks[0];
+  EXPECT_DOUBLE_EQ(registration.result().properties.tissue.shear_modulus, 67.5);
+}
+
+TEST(Registration, KeepsTheGivenModulusWhereNoneIsSearched) {
+  const RegistrationParameters parameters;
+  set_coarse({"Material/Shear modulus=45"});
+  Registration registration(parameters);
+  registration.read(small_case());
+  expect_error([&] { registration.unload(); }, {"diverged", "Material/Shear modulus"});
 }
 
 TEST(Registration, ABreastThatIsLoadedComesBackToWhereItWas) {

@@ -77,8 +77,7 @@ double largest_distance(const std::vector<Point<3>>& a, const std::vector<Point<
   return largest;
 }
 
-// What a state leaves out differs by rounding only: planes of sliding nodes are found anew. The
-// line search of l-bfgs makes more of it than the other schemes, up to 0.0002 mm.
+// What a state leaves out differs by rounding only: planes of sliding nodes are found anew.
 TEST_P(State, ARegistrationThatGoesOnEndsWhereItWouldHave) {
   Registration whole(parameters_);
   whole.read(small_case());
@@ -95,7 +94,7 @@ TEST_P(State, ARegistrationThatGoesOnEndsWhereItWouldHave) {
       const auto &a = found.result.meshes[position], &b = expected.result.meshes[position];
       EXPECT_EQ(a.mesh.cells, b.mesh.cells);
       EXPECT_LT(largest_distance(a.mesh.points, b.mesh.points), 1e-9) << i;
-      EXPECT_LT(largest_distance(a.unloaded, b.unloaded), 1e-3) << i;
+      EXPECT_LT(largest_distance(a.unloaded, b.unloaded), 1e-4) << i;
     }
     EXPECT_EQ(found.result.properties.tissue.shear_modulus,
               expected.result.properties.tissue.shear_modulus);
