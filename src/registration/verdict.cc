@@ -29,6 +29,7 @@ constexpr Limits largest_jacobian{3., 10.}, smallest_jacobian{1. / 0.2, 1. / 0.0
 constexpr Limits inverse{1., never};   // mm
 constexpr Limits at_rest{1. / 3., 1.}; // 1/mm, of the mean motion
 constexpr double worse_outline = 0.01; // of Dice, that a stage may lose
+constexpr unsigned many_doubts = 5;    // right uses have two at most
 
 class Findings {
 public:
@@ -41,6 +42,15 @@ public:
   void judge(double value, const Limits& limits, const std::string& sentence) {
     if (value > limits.doubtful)
       add(value > limits.failed ? Grade::failed : Grade::doubtful, sentence);
+  }
+
+  /// Figures that are doubtful one by one say together that nothing fits.
+  void fail_if_many() {
+    const std::size_t n = doubtful_.size();
+    if (verdict_.grade == Grade::doubtful && n >= many_doubts)
+      add(Grade::failed, format("%zu figures are out of the usual at once, as if the two breasts "
+                                "did not belong together: see below.",
+                                n));
   }
 
   Verdict verdict() {
@@ -206,6 +216,7 @@ Verdict judge(const Quality& quality) {
   judge_motion(quality, findings);
   judge_properties(quality, findings);
   judge_cells(quality, findings);
+  findings.fail_if_many();
   for (const std::string& finding : quality.scene_findings)
     findings.add(Grade::doubtful, finding);
   judge_stage("The material update", quality.unloaded, quality.material, findings);

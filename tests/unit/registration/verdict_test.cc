@@ -56,6 +56,19 @@ TEST(Verdict, KeepsTheDoubtsOfTheCheckOfTheScene) {
   expect(Grade::doubtful, "Label 7", quality);
 }
 
+// Each of these figures alone is a doubt; five of them say that nothing fits.
+TEST(Verdict, FailsWhereManyFiguresAreDoubtful) {
+  Quality quality = right();
+  quality.chest.median = 4.2;
+  quality.image_forces->breast_dice = 0.92;
+  quality.image_forces->gland_dice = 0.75;
+  quality.material->breast_dice = 0.88;
+  quality.scene_findings = {"Label 7 is not explained."}; // is no figure
+  EXPECT_STREQ(name_of(judge(quality).grade), "doubtful");
+  quality.image_forces->outside_share = 0.006;
+  expect(Grade::failed, "5 figures are out of the usual", quality);
+}
+
 TEST(Verdict, NamesPropertiesAtTheirBounds) {
   Quality quality = right();
   quality.at_bound = {"gland ratio"};
