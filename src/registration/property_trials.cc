@@ -59,7 +59,7 @@ bool PropertyTrials::unload(const MechanicalProperties& properties) {
     converged_ = unloaded.prone.converged && unloaded.supine.converged;
     return unloaded.prone.n_steps < max_trial_steps && unloaded.supine.n_steps < max_trial_steps;
   } catch (const Error& error) {
-    log_.line(std::string("  trial rejected: ") + error.what());
+    log_.line("  trial rejected, with " + in_words(properties) + ": " + error.what());
     return false;
   }
 }
@@ -78,11 +78,10 @@ void PropertyTrials::return_to_best() {
   pair_.restore();
 }
 
-void PropertyTrials::report(double value) const {
-  const mechanics::TissueStiffness& tissue = pair_.properties().tissue;
-  std::string text = format("  level %g mm: mu %.1f Pa, nu %.3f, gland x %.2f", comparison_.level(),
-                            tissue.shear_modulus, tissue.poisson_ratio, tissue.gland_ratio);
-  const MechanicalProperties& properties = pair_.properties();
+std::string PropertyTrials::in_words(const MechanicalProperties& properties) const {
+  const mechanics::TissueStiffness& tissue = properties.tissue;
+  std::string text = format("mu %.1f Pa, nu %.3f, gland x %.2f", tissue.shear_modulus,
+                            tissue.poisson_ratio, tissue.gland_ratio);
   if (properties.chest_stiffness > 0.)
     text += format(", chest %.2f Pa/mm", properties.chest_stiffness);
   if (properties.cut_plane_stiffness > 0.)
@@ -90,7 +89,12 @@ void PropertyTrials::report(double value) const {
   const auto [left, superior] = properties.tilt.degrees();
   if (has_.can_tilt)
     text += format(", supine gravity tilted %.1f left, %.1f up", left, superior);
-  log_.line(text + format("; %s %.4g", comparison_.name().c_str(), value));
+  return text;
+}
+
+void PropertyTrials::report(double value) const {
+  log_.line(format("  level %g mm: ", comparison_.level()) + in_words(pair_.properties()) +
+            format("; %s %.4g", comparison_.name().c_str(), value));
   if (observer_)
     observer_({"material", comparison_.level(), progress_.n_accepted, 0., value});
 }

@@ -1,6 +1,7 @@
 #ifndef PROSUP_REGISTRATION_PROPERTY_TRIALS_H
 #define PROSUP_REGISTRATION_PROPERTY_TRIALS_H
 
+#include <string>
 #include <vector>
 
 #include "prosup/registration/material_update.h"
@@ -39,6 +40,7 @@ public:
   void return_to_best();
 
 private:
+  std::string in_words(const MechanicalProperties& properties) const;
   void report(double value) const;
   double pair_volume() const; // mm^3
 

@@ -6,6 +6,10 @@ namespace prosup::registration {
 
 namespace {
 
+// Stiffness of a cut beyond which a layer of some ten mm of tissue follows, Pa/mm, and the share
+// k0/(k0 + k) of one that is as good as fixed.
+constexpr double usual_cut = 40., stiffest_cut = 0.004;
+
 constexpr double degree = 3.14159265358979323846 / 180.;
 
 /// An angle of the tilt. Patients lie tilted by some degrees: 5 to 10 in the pairs looked at.
@@ -38,9 +42,11 @@ const std::vector<SearchedProperty>& searched_properties() {
       {"chest stiffness", [](const P& p) { return std::log(p.chest_stiffness); },
        [](P& p, double q) { p.chest_stiffness = std::exp(q); }, 0.2, 0.7, std::log(0.1),
        std::log(500.), std::log(8.), 1.2},
-      {"cut plane stiffness", [](const P& p) { return std::log(p.cut_plane_stiffness); },
-       [](P& p, double q) { p.cut_plane_stiffness = std::exp(q); }, 0.3, 1., std::log(1.),
-       std::log(2000.), std::log(40.), 2.5},
+      // k0/(k0 + k): what gives way is linear in 1/k where hardly anything does
+      {"cut plane stiffness",
+       [](const P& p) { return usual_cut / (usual_cut + p.cut_plane_stiffness); },
+       [](P& p, double q) { p.cut_plane_stiffness = usual_cut * (1. - q) / q; }, -0.07, 0.25,
+       stiffest_cut, 0.97, 0.5, 1.},
       angle([](const P& p) { return p.tilt.left; }, [](P& p, double q) { p.tilt.left = q; }),
       angle([](const P& p) { return p.tilt.superior; },
             [](P& p, double q) { p.tilt.superior = q; })};
