@@ -88,6 +88,7 @@ Json as_json(const Summary& summary) {
   set(json["material"], "lambda", summary.lambda);
   set(json["material"], "poisson_ratio", summary.poisson_ratio);
   set(json["material"], "gland_ratio", summary.gland_ratio);
+  set(json["material"], "skin_stiffness", summary.skin_stiffness);
   set(json["material"], "chest_stiffness", summary.chest_stiffness);
   set(json["material"], "cut_plane_stiffness", summary.cut_plane_stiffness);
   set(json["material"], "supine_tilt", summary.supine_tilt);

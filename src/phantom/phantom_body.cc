@@ -78,13 +78,15 @@ void PhantomBody::put_on_surfaces() {
   }
 }
 
-std::vector<mechanics::LameParameters> PhantomBody::material() const {
-  std::vector<mechanics::LameParameters> material;
+mechanics::Material PhantomBody::material() const {
+  std::vector<mechanics::LameParameters> parameters;
   for (const unsigned tissue : body_->material_ids()) {
     const double ratio = tissue == gland ? parameters_.gland_ratio : 1.;
-    material.push_back(mechanics::lame_parameters(ratio * parameters_.fat_shear_modulus,
-                                                  parameters_.poisson_ratio));
+    parameters.push_back(mechanics::lame_parameters(ratio * parameters_.fat_shear_modulus,
+                                                    parameters_.poisson_ratio));
   }
+  mechanics::Material material(parameters);
+  material.set_skin({skin, parameters_.skin_stiffness});
   return material;
 }
 

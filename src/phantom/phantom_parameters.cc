@@ -57,6 +57,10 @@ void MechanicsParameters::declare(ParameterHandler& prm) {
                     Patterns::Double(0.05, 100.));
   prm.add_parameter("Poisson ratio", poisson_ratio,
                     "nu, Poisson's ratio of all tissue. Units: none.", Patterns::Double(0., 0.499));
+  prm.add_parameter("Skin stiffness", skin_stiffness,
+                    "Shear modulus of the skin times its thickness, a neo-Hookean membrane that "
+                    "wrinkles under pressure; 0: no skin. Units: Pa mm.",
+                    Patterns::Double(0., 1e7));
   prm.add_parameter("Mesh edge length", edge_length,
                     "Edge length of the quadratic tetrahedra on which the true displacement is "
                     "computed. A mesh under test should differ from them. Units: mm.",

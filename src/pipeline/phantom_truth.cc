@@ -24,6 +24,8 @@ Json mechanics_of(const phantom::MechanicsParameters& phantom) {
       {"nu", phantom.poisson_ratio},
       {"lambda_fat_Pa",
        mechanics::lame_parameters(phantom.fat_shear_modulus, phantom.poisson_ratio).lambda}};
+  if (phantom.skin_stiffness > 0.)
+    json["material"]["skin_Pa_mm"] = phantom.skin_stiffness;
   json["boundary"] = {{"cut_planes", "fixed"},
                       {"skin", "free"},
                       {"chest", phantom.chest_slides() ? "sliding" : "fixed"}};

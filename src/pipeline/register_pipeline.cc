@@ -52,6 +52,7 @@ std::map<std::string, double> named(const MechanicalProperties& properties) {
   return {{"shear_modulus", properties.tissue.shear_modulus},
           {"poisson_ratio", properties.tissue.poisson_ratio},
           {"gland_ratio", properties.tissue.gland_ratio},
+          {"skin_stiffness", properties.tissue.skin_stiffness},
           {"chest_stiffness", properties.chest_stiffness},
           {"cut_plane_stiffness", properties.cut_plane_stiffness},
           {"tilt_left", properties.tilt.degrees()[0]},
@@ -168,6 +169,8 @@ void RegisterPipeline::note_properties() {
   summary.shear_modulus = found.tissue.shear_modulus;
   summary.poisson_ratio = found.tissue.poisson_ratio;
   summary.gland_ratio = found.tissue.gland_ratio;
+  if (found.tissue.skin_stiffness > 0.)
+    summary.skin_stiffness = found.tissue.skin_stiffness;
   if (found.chest_stiffness > 0.)
     summary.chest_stiffness = found.chest_stiffness;
   if (found.cut_plane_stiffness > 0.)

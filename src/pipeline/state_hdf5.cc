@@ -33,6 +33,7 @@ void for_each_number(State& state, const Visitor& visit) {
   visit("registration/shear_modulus", state.properties.tissue.shear_modulus);
   visit("registration/poisson_ratio", state.properties.tissue.poisson_ratio);
   visit("registration/gland_ratio", state.properties.tissue.gland_ratio);
+  visit("registration/skin_stiffness", state.properties.tissue.skin_stiffness);
   visit("registration/chest_stiffness", state.properties.chest_stiffness);
   visit("registration/cut_plane_stiffness", state.properties.cut_plane_stiffness);
   visit("registration/tilt_left", state.properties.tilt.left);

@@ -24,6 +24,7 @@ constexpr double worth_a_remark = 0.02; // of the faces of a base
 
 constexpr auto chest_wall = mesh::boundary_id_of(mesh::BoundaryPart::chest_wall);
 constexpr auto cut_plane = mesh::boundary_id_of(mesh::BoundaryPart::cut_plane);
+constexpr auto skin = mesh::boundary_id_of(mesh::BoundaryPart::skin);
 
 } // namespace
 
@@ -42,6 +43,7 @@ void ElementBreast::set_properties(const MechanicalProperties& properties) {
   if (knows_gravity() && position_ == Position::supine)
     unloading().set_gravity_direction(tilted(parts_.gravity, properties.tilt));
   material_of_elements_ = material_.material_of(body().material_ids(), properties.tissue);
+  material_of_elements_.set_skin({skin, properties.tissue.skin_stiffness});
   unloading().set_material(material_of_elements_);
 }
 

@@ -67,6 +67,9 @@ GridBreast::GridBreast(const BreastModel& model, const BreastInput& input, MPI_C
 fdm::Material GridBreast::material(const mechanics::TissueStiffness& stiffness) const {
   const std::vector<unsigned> tissues = tissues_of(labels(), scene_.chest_label);
   model_.material.require_model("neo-hookean", "the finite-difference method");
+  if (stiffness.skin_stiffness > 0.)
+    throw Error("'Material/Skin stiffness' is larger than 0, but finite differences know no skin; "
+                "set it to 0 or choose 'Simulation/Method' = fe.");
   const mechanics::Material material = model_.material.material_of(tissues, stiffness);
   fdm::Material result;
   for (std::size_t i = 0; i < tissues.size(); ++i) {

@@ -28,7 +28,7 @@ std::vector<const SearchedProperty*> chosen_of(const std::vector<std::string>& n
         (name != "gland ratio" || pair.has_gland) &&
         (name != "chest stiffness" || properties.chest_stiffness > 0.) &&
         (name != "cut plane stiffness" || properties.cut_plane_stiffness > 0.) &&
-        (name != "gravity" || pair.can_tilt))
+        (name != "gravity" || pair.can_tilt) && (name != "skin stiffness" || pair.can_have_skin))
       chosen.push_back(&property);
   }
   return chosen;
@@ -235,11 +235,7 @@ std::vector<std::string> properties_at_bound(const std::vector<std::string>& nam
   std::vector<std::string> found;
   for (const SearchedProperty* property : chosen_of(names, properties, pair)) {
     const double q = property->get(properties);
-    // Springs as soft as can be are those of tissue that slides freely, and a cut that yields least
-    // is as good as fixed.
-    const std::string name = property->name;
-    if ((q < property->low + near && name != "chest stiffness" && name != "cut plane stiffness") ||
-        q > property->high - near)
+    if ((q < property->low + near && !property->may_be_low) || q > property->high - near)
       found.emplace_back(property->name);
   }
   return found;

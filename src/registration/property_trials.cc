@@ -18,7 +18,8 @@ constexpr double filled_part = 0.5; // of the box around a breast
 
 PropertiesOfPair::PropertiesOfPair(const BreastPair& pair)
     : has_gland(pair.has_gland()),
-      can_tilt(pair.all([](const Breast& breast) { return breast.knows_gravity(); })) {}
+      can_tilt(pair.all([](const Breast& breast) { return breast.knows_gravity(); })),
+      can_have_skin(pair.consists_of_elements()) {}
 
 PropertyTrials::PropertyTrials(BreastPair& pair, Comparison comparison, double correlation_length,
                                const Log& log, const Observer& observer, MaterialProgress& progress)
@@ -82,6 +83,8 @@ std::string PropertyTrials::in_words(const MechanicalProperties& properties) con
   const mechanics::TissueStiffness& tissue = properties.tissue;
   std::string text = format("mu %.1f Pa, nu %.3f, gland x %.2f", tissue.shear_modulus,
                             tissue.poisson_ratio, tissue.gland_ratio);
+  if (tissue.skin_stiffness > 0.)
+    text += format(", skin %.0f Pa mm", tissue.skin_stiffness);
   if (properties.chest_stiffness > 0.)
     text += format(", chest %.2f Pa/mm", properties.chest_stiffness);
   if (properties.cut_plane_stiffness > 0.)

@@ -11,7 +11,8 @@ namespace prosup::registration {
 /// What of a pair decides which properties it has.
 struct PropertiesOfPair {
   bool has_gland;
-  bool can_tilt; ///< its gravity
+  bool can_tilt;      ///< its gravity
+  bool can_have_skin; ///< its breasts consist of elements
 
   explicit PropertiesOfPair(const BreastPair& pair);
 };

@@ -10,6 +10,8 @@ namespace {
 // k0/(k0 + k) of one that is as good as fixed.
 constexpr double usual_cut = 40., stiffest_cut = 0.004;
 
+constexpr double usual_skin = 8000.; // Pa mm
+
 constexpr double degree = 3.14159265358979323846 / 180.;
 
 /// An angle of the tilt. Patients lie tilted by some degrees: 5 to 10 in the pairs looked at.
@@ -25,7 +27,8 @@ SearchedProperty angle(Get get, Set set) {
 // al. 2014), far below those of excised tissue. Poisson's ratio: tissue changes its volume by
 // little, while blood and water leave. Gland over fat: 1 to 5 (Ramiao et al. 2016). Springs: the
 // shear modulus over a layer of fascia of some ten mm; beyond a cut, tissue gives way by mu to
-// (lambda + 2 mu) over its width, or hardly at all over bone.
+// (lambda + 2 mu) over its width, or hardly at all over bone. Skin: about 1.5 mm (Huang et al.
+// 2008) of some kPa at small strains.
 const std::vector<SearchedProperty>& searched_properties() {
   using P = MechanicalProperties;
   static const std::vector<SearchedProperty> all{
@@ -41,12 +44,15 @@ const std::vector<SearchedProperty>& searched_properties() {
        std::log(10.), std::log(2.), 0.6},
       {"chest stiffness", [](const P& p) { return std::log(p.chest_stiffness); },
        [](P& p, double q) { p.chest_stiffness = std::exp(q); }, 0.2, 0.7, std::log(0.1),
-       std::log(500.), std::log(8.), 1.2},
+       std::log(500.), std::log(8.), 1.2, true}, // low: tissue that slides freely
       // k0/(k0 + k): what gives way is linear in 1/k where hardly anything does
       {"cut plane stiffness",
        [](const P& p) { return usual_cut / (usual_cut + p.cut_plane_stiffness); },
        [](P& p, double q) { p.cut_plane_stiffness = usual_cut * (1. - q) / q; }, -0.07, 0.25,
-       stiffest_cut, 0.97, 0.5, 1.},
+       stiffest_cut, 0.97, 0.5, 1., true},
+      {"skin stiffness", [](const P& p) { return p.tissue.skin_stiffness / usual_skin; },
+       [](P& p, double q) { p.tissue.skin_stiffness = q * usual_skin; }, 0.1, 0.5, 0., 10., 1., 1.,
+       true}, // low: no skin
       angle([](const P& p) { return p.tilt.left; }, [](P& p, double q) { p.tilt.left = q; }),
       angle([](const P& p) { return p.tilt.superior; },
             [](P& p, double q) { p.tilt.superior = q; })};

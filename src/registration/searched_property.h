@@ -17,6 +17,7 @@ struct SearchedProperty {
   double longest_step; ///< of q
   double low, high;    ///< of q
   double mean, deviation;
+  bool may_be_low = false; ///< the low end is plausible
 
   /// Minus the logarithm of its prior probability, but for a constant.
   double surprise(const MechanicalProperties& properties) const {

@@ -183,6 +183,42 @@ TEST_F(PhantomCommand, TissueThatSlidesIsUnloadedToTheTruth) {
   }
 }
 
+// The truth has quadratic elements and Newton's method, the unloading linear ones and time steps.
+TEST_F(PhantomCommand, SkinIsUnloadedToTheTruthAndFound) {
+  const auto phantom =
+      make("phantom", {"Phantom/Mechanics/Skin stiffness=5000", "Phantom/Mechanics/Gland ratio=1"});
+  const auto run = [&](const std::vector<std::string>& more) {
+    const auto result = folder_ / "result";
+    std::vector<std::string> arguments = more;
+    for (const std::string state : {"prone", "supine"})
+      arguments.insert(arguments.end(),
+                       {"--" + state + "-labels", phantom / (state + "_labels.nii.gz")});
+    arguments.insert(arguments.end(), {"--landmarks", phantom / "landmarks.csv", "--chest", "fixed",
+                                       "--output", result});
+    const ProgramRun done = run_prosup(arguments, 2);
+    EXPECT_EQ(done.exit_code, 0) << done.transcript();
+    return read_json(result / "summary.json");
+  };
+  const auto unloading_error = [&](const std::string& state, const std::string& skin) {
+    return run({"unload", "--set", "Case/State=" + state, "--set", "Material/Shear modulus=300",
+                "--set", "Supports/Cut planes=common", "--set", "Material/Skin stiffness=" + skin})
+        .at("tre")
+        .at("unloaded")
+        .at("mean")
+        .get<double>();
+  };
+  EXPECT_LT(unloading_error("prone", "5000"), 0.5 * unloading_error("prone", "0"));
+  EXPECT_LT(unloading_error("supine", "5000"), 0.2); // mm; most of its skin is slack
+
+  const Json found = run({"register", "--prone-image", phantom / "prone.nii.gz", "--supine-image",
+                          phantom / "supine.nii.gz", "--set", "Results/Pictures=false", "--set",
+                          "Material update/Properties=shear modulus, Poisson ratio, "
+                          "gland ratio, cut plane stiffness, gravity, skin stiffness"});
+  EXPECT_GT(found.at("material").at("skin_stiffness"), 2500.);
+  EXPECT_LT(found.at("material").at("skin_stiffness"), 10000.);
+  EXPECT_LT(found.at("tre").at("image_forces").at("mean"), 0.5);
+}
+
 TEST(Load, LoadsLabelsAndTheirImage) {
   const TemporaryFolder folder;
   const auto result = folder / "load";

@@ -38,7 +38,7 @@ public:
 
 private:
   void put_on_surfaces();
-  std::vector<mechanics::LameParameters> material() const;
+  mechanics::Material material() const;
   mechanics::NodeVector push(double pressure) const;
 
   const MechanicsParameters& parameters_;

@@ -32,6 +32,7 @@ struct MechanicsParameters {
   double edge_length = 10.;        ///< of the mesh, mm
   std::string chest = "fixed";     ///< or "sliding"
   double contact_stiffness = 1e4;  ///< of a sliding chest, along its normal, Pa/mm
+  double skin_stiffness = 0.;      ///< shear modulus times thickness of the skin, Pa mm
   double fascia_stiffness = 8.;    ///< of the springs on a sliding chest, Pa/mm
   double push_pressure = 0.;       ///< on the left side of the prone breast, Pa
   double push_radius = 20.;        ///< standard deviation of the pushed patch, mm

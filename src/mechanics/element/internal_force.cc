@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <variant>
 
 #include "element_batches.h"
 #include "element_kernel.h"
 #include "element_stiffness.h"
+#include "membrane.h"
 
 namespace prosup::mechanics {
 
@@ -41,7 +43,9 @@ struct InternalForce::Implementation {
   const bool is_averaged;
   const std::unique_ptr<ElementBatches> elements;
   Material material;
+  std::unique_ptr<Membrane> skin; // if there is any
   NodeVector reference_positions;
+  bool has_reference = false;
   // In the kernels' layout.
   AlignedVector<double> reference, positions, force;
   NodeVector exchanged;
@@ -104,6 +108,15 @@ struct InternalForce::Implementation {
     return elements->add_forces(part, positions.data(), force.data());
   }
 
+  /// Local, so that a rank without skin need not know of it.
+  void make_skin() {
+    skin.reset();
+    if (material.skin().stiffness > 0.)
+      skin = std::make_unique<Membrane>(body, material.skin());
+    if (skin && has_reference)
+      skin->set_reference(reference_positions);
+  }
+
   /// Forces on ghosts go to their owners, to arrive in `exchanged`.
   void send_ghost_forces() {
     exchanged = 0.;
@@ -123,18 +136,22 @@ void InternalForce::set_material(const Material& material) {
   implementation_->material = material;
   implementation_->elements->set_material(material);
   implementation_->average_material();
+  implementation_->make_skin();
 }
 
 double InternalForce::set_reference(const NodeVector& reference) {
   Implementation& self = *implementation_;
   std::copy_n(reference.begin(), 3 * std::size_t(self.body.n_local_nodes()),
               self.reference_positions.begin());
+  self.has_reference = true;
   pack(self.reference_positions, 0, self.body.n_local_nodes(), self.reference.data());
   const double smallest = self.elements->set_reference(self.reference.data()) / 6.;
   if (self.is_averaged) {
     self.nodal_volume = self.volumes_at(self.reference.data());
     self.average_material();
   }
+  if (self.skin)
+    self.skin->set_reference(self.reference_positions);
   return smallest;
 }
 
@@ -157,6 +174,8 @@ double InternalForce::subtract(const NodeVector& displacement, NodeVector& force
     add(ElementBatches::first_interior);
   }
   add(ElementBatches::interface);
+  if (self.skin)
+    self.skin->add_forces(self.positions.data(), self.force.data());
   self.send_ghost_forces();
   add(ElementBatches::second_interior);
   self.exchanged.compress_finish(VectorOperation::add);
@@ -180,8 +199,16 @@ std::vector<double> InternalForce::lumped_volume() const {
 
 std::vector<double> InternalForce::stiffness_bound(const NodeVector& displacement) const {
   displacement.update_ghost_values();
-  return element_stiffness_bound(implementation_->body, implementation_->reference_positions,
-                                 displacement, implementation_->material);
+  const Implementation& self = *implementation_;
+  std::vector<double> bound =
+      element_stiffness_bound(self.body, self.reference_positions, displacement, self.material);
+  if (self.material.skin().stiffness > 0.) {
+    std::vector<double> of_skin(bound.size(), 0.);
+    self.skin->add_stiffness_bound(self.reference_positions, displacement, of_skin);
+    of_skin = sum_over_ranks(self.body, of_skin);
+    std::transform(bound.begin(), bound.end(), of_skin.begin(), bound.begin(), std::plus<>());
+  }
+  return bound;
 }
 
 InternalForce::WorstCell InternalForce::worst_cell(const NodeVector& positions,

@@ -48,6 +48,12 @@ void TissueMaterial::declare_parameters(ParameterHandler& prm) {
       "paper's generic material a real breast changes its volume by 5 to 12 percent from prone to "
       "supine, with 0.45 by half of that. Linear tetrahedra lock as nu approaches 0.5.",
       Patterns::Double(0., 0.4999));
+  prm.add_parameter(
+      "Skin stiffness", initial_.skin_stiffness,
+      "s = mu_s h, shear modulus of the skin times its thickness: a neo-Hookean "
+      "membrane on the surface, which wrinkles under pressure. 0: no skin. With fe only. "
+      "'Material update/Properties' can name it among what is searched. Units: Pa mm.",
+      Patterns::Double(0., 1e9));
   prm.add_parameter("Stiffness ratios", stiffness_ratios_,
                     "Shear modulus of each tissue over 'Shear modulus', as 'label: ratio'. "
                     "Units: none.",

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "cell_stiffness.h"
+#include "mechanics/element/membrane.h"
 
 namespace prosup::mechanics {
 
@@ -55,6 +56,7 @@ ElasticMetric::ElasticMetric(const Supports& supports, const Material& material,
     : supports_(supports), body_(supports.body()) {
   list_couplings();
   add_elements(material, unloaded);
+  add_skin(material.skin(), unloaded);
 }
 
 void ElasticMetric::list_couplings() {
@@ -71,18 +73,28 @@ void ElasticMetric::list_couplings() {
     column_.insert(column_.end(), row.begin(), row.end());
     row_begin_.push_back(static_cast<std::uint32_t>(column_.size()));
   }
-  const auto slot = [&](unsigned row, unsigned column) {
-    const auto begin = column_.begin() + row_begin_[row],
-               end = column_.begin() + row_begin_[row + 1];
-    return static_cast<std::uint32_t>(std::lower_bound(begin, end, column) - column_.begin());
-  };
   for (const auto& cell : body_.cells()) {
     auto& slots = slots_.emplace_back();
     for (unsigned a = 0; a < 4; ++a)
       for (unsigned b = 0; b < 4; ++b)
-        slots[4 * a + b] = slot(cell[a], cell[b]);
+        slots[4 * a + b] = slot_of(cell[a], cell[b]);
   }
   blocks_.resize(column_.size());
+}
+
+std::uint32_t ElasticMetric::slot_of(unsigned row, unsigned column) const {
+  const auto begin = column_.begin() + row_begin_[row], end = column_.begin() + row_begin_[row + 1];
+  return static_cast<std::uint32_t>(std::lower_bound(begin, end, column) - column_.begin());
+}
+
+void ElasticMetric::add_skin(const Skin& skin, const NodeVector& unloaded) {
+  for (const auto& triangle : membrane_triangles(body_, skin)) {
+    const auto X = corners_of(triangle, unloaded);
+    const auto blocks = MembraneTriangle(X, X, skin.stiffness).by_loaded();
+    for (unsigned a = 0; a < 3; ++a)
+      for (unsigned b = 0; b < 3; ++b)
+        blocks_[slot_of(triangle[a], triangle[b])] += blocks[3 * a + b];
+  }
 }
 
 void ElasticMetric::add_elements(const Material& material, const NodeVector& unloaded) {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <variant>
 
+#include "mechanics/element/membrane.h"
 #include "mechanics/element/nodal_pressure.h"
 #include "prosup/core/error.h"
 
@@ -36,6 +37,7 @@ void Equilibrium::set_material(const Material& material) {
                 " entries for " + std::to_string(body_.n_elements()) +
                 " elements; give one for all or one for each element.");
   material_ = material;
+  skin_ = membrane_triangles(body_, material.skin());
 }
 
 void Equilibrium::set_external_force(const Tensor<1, 3>& body_force, const NodeVector& nodal) {
@@ -117,11 +119,24 @@ double Equilibrium::add_element_forces(const L& law, const NodeVector& unknown,
   return min_jacobian;
 }
 
+void Equilibrium::add_skin_forces(const NodeVector& unknown, NodeVector& force) const {
+  for (const auto& triangle : skin_) {
+    const auto forces =
+        MembraneTriangle(corners_of(triangle, unloaded(unknown)),
+                         corners_of(triangle, loaded(unknown)), material_.skin().stiffness)
+            .forces();
+    for (unsigned a = 0; a < 3; ++a)
+      for (unsigned c = 0; c < 3; ++c)
+        force.local_element(3 * triangle[a] + c) += forces[a][c];
+  }
+}
+
 double Equilibrium::residual(const NodeVector& unknown, NodeVector& residual) const {
   residual.zero_out_ghost_values();
   residual = 0.;
   const double min_jacobian = std::visit(
       [&](const auto& law) { return add_element_forces(law, unknown, residual); }, material_.law());
+  add_skin_forces(unknown, residual);
   add_external_force(unknown, -load_fraction_, residual);
   residual.compress(VectorOperation::add);
   for (unsigned node = 0; node < body_.n_owned_nodes(); ++node) {

@@ -3,6 +3,7 @@
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -83,11 +84,14 @@ private:
                             const AddBlock& add) const;
   void add_nodal_tangents(const NodeVector& unknown, const AddBlock& add) const;
   void add_external_force(const NodeVector& unknown, double factor, NodeVector& force) const;
+  void add_skin_forces(const NodeVector& unknown, NodeVector& force) const;
+  void add_skin_tangents(const NodeVector& unknown, const AddBlock& add) const;
   int global_node(unsigned local_node) const;
 
   const Body& body_;
   const ElementShape& shape_;
   Material material_;
+  std::vector<std::array<unsigned, 3>> skin_; // membrane_triangles()
   std::vector<bool> fixed_;
   dealii::Tensor<1, 3> body_force_;
   NodeVector nodal_load_;

@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "equilibrium.h"
+#include "mechanics/element/membrane.h"
 #include "mechanics/element/nodal_pressure.h"
 
 namespace prosup::mechanics {
@@ -42,7 +43,29 @@ void Equilibrium::tangent(const NodeVector& unknown, const AddBlock& add) const 
   }
   std::visit([&](const auto& law) { add_element_tangents(law, unknown, pressure.get(), add); },
              material_.law());
+  add_skin_tangents(unknown, add);
   add_nodal_tangents(unknown, add);
+}
+
+void Equilibrium::add_skin_tangents(const NodeVector& unknown, const AddBlock& add) const {
+  ElementMatrix matrix;
+  std::vector<int> global(3);
+  for (const auto& triangle : skin_) {
+    const MembraneTriangle membrane(corners_of(triangle, unloaded(unknown)),
+                                    corners_of(triangle, loaded(unknown)),
+                                    material_.skin().stiffness);
+    const auto blocks = unknown_ == Unknown::loaded ? membrane.by_loaded() : membrane.by_unloaded();
+    matrix.reset(3);
+    for (unsigned a = 0; a < 3; ++a)
+      for (unsigned b = 0; b < 3; ++b)
+        matrix.add(a, b, blocks[3 * a + b]);
+    for (unsigned a = 0; a < 3; ++a) {
+      global[a] = global_node(triangle[a]);
+      if (fixed_[triangle[a]])
+        matrix.clear(a);
+    }
+    add(global, matrix.values);
+  }
 }
 
 template <typename L>

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "cell_stiffness.h"
+#include "mechanics/element/membrane.h"
 
 namespace prosup::mechanics {
 
@@ -12,11 +13,12 @@ using namespace dealii;
 
 namespace {
 
-constexpr unsigned n_corner_values = 12;
 constexpr double smallest_pivot = 1e-10; // over the largest entry: rigid motions have no stiffness
 constexpr std::uint64_t spring_stream = 0x5bd1e995;
 
-using CellMatrix = std::array<std::array<double, n_corner_values>, n_corner_values>;
+/// Between the components at n / 3 corners.
+template <std::size_t n>
+using CornerMatrix = std::array<std::array<double, n>, n>;
 
 /// Spreads numbers that differ in one bit over all bits (splitmix64).
 std::uint64_t mixed(std::uint64_t z) {
@@ -42,11 +44,18 @@ double sign(std::uint64_t bits, unsigned i) {
   return (bits >> i & 1) != 0 ? 1. : -1.;
 }
 
-CellMatrix sum_of(const CellBlocks& blocks, const CellStiffness* added, double factor) {
-  CellMatrix sum;
-  for (unsigned i = 0; i < n_corner_values; ++i)
-    for (unsigned j = 0; j < n_corner_values; ++j)
-      sum[i][j] = blocks[4 * (i / 3) + j / 3][i % 3][j % 3];
+/// From the blocks of all pairs of corners.
+template <std::size_t n_corners, typename Blocks>
+CornerMatrix<3 * n_corners> dense(const Blocks& blocks) {
+  CornerMatrix<3 * n_corners> matrix;
+  for (unsigned i = 0; i < matrix.size(); ++i)
+    for (unsigned j = 0; j < matrix.size(); ++j)
+      matrix[i][j] = blocks[n_corners * (i / 3) + j / 3][i % 3][j % 3];
+  return matrix;
+}
+
+CornerMatrix<12> sum_of(const CellBlocks& blocks, const CellStiffness* added, double factor) {
+  CornerMatrix<12> sum = dense<4>(blocks);
   if (added == nullptr)
     return sum;
   unsigned pair = 0;
@@ -64,17 +73,18 @@ CellMatrix sum_of(const CellBlocks& blocks, const CellStiffness* added, double f
 
 /// Replaces the lower triangle of a positive semidefinite matrix by its Cholesky factor, with
 /// columns of 0 where nothing is left.
-void factorize(CellMatrix& m) {
+template <std::size_t n>
+void factorize(CornerMatrix<n>& m) {
   double largest = 0.;
-  for (unsigned i = 0; i < n_corner_values; ++i)
+  for (unsigned i = 0; i < n; ++i)
     largest = std::max(largest, m[i][i]);
-  for (unsigned j = 0; j < n_corner_values; ++j) {
+  for (unsigned j = 0; j < n; ++j) {
     double pivot = m[j][j];
     for (unsigned k = 0; k < j; ++k)
       pivot -= m[j][k] * m[j][k];
     const bool counts = pivot > smallest_pivot * largest;
     m[j][j] = counts ? std::sqrt(pivot) : 0.;
-    for (unsigned i = j + 1; i < n_corner_values; ++i) {
+    for (unsigned i = j + 1; i < n; ++i) {
       double value = m[i][j];
       for (unsigned k = 0; k < j; ++k)
         value -= m[i][k] * m[j][k];
@@ -83,11 +93,14 @@ void factorize(CellMatrix& m) {
   }
 }
 
-void add_cell(const CellMatrix& factor, std::uint64_t key, const std::array<unsigned, 4>& nodes,
-              std::vector<NodeVector>& forces) {
+/// Adds the matrix's factor times random signs.
+template <std::size_t n_corners>
+void add_part(CornerMatrix<3 * n_corners> factor, std::uint64_t key,
+              const std::array<unsigned, n_corners>& nodes, std::vector<NodeVector>& forces) {
+  factorize(factor);
   for (unsigned n = 0; n < forces.size(); ++n) {
     const std::uint64_t bits = mixed(mixed(key) + n);
-    for (unsigned i = 0; i < n_corner_values; ++i) {
+    for (unsigned i = 0; i < factor.size(); ++i) {
       double value = 0.;
       for (unsigned k = 0; k <= i; ++k)
         value += factor[i][k] * sign(bits, k);
@@ -107,10 +120,15 @@ std::vector<NodeVector> random_forces(const Supports& supports, const Material& 
   for (NodeVector& force : forces)
     body.initialize(force);
   for_each_cell_stiffness(body, material, unloaded, [&](unsigned cell, const CellBlocks& blocks) {
-    CellMatrix matrix = sum_of(blocks, added.empty() ? nullptr : &added[cell], factor);
-    factorize(matrix);
-    add_cell(matrix, body.cell_ids()[cell], body.cells()[cell], forces);
+    add_part(sum_of(blocks, added.empty() ? nullptr : &added[cell], factor), body.cell_ids()[cell],
+             body.cells()[cell], forces);
   });
+  for (const auto& triangle : membrane_triangles(body, material.skin())) {
+    const auto X = corners_of(triangle, unloaded);
+    const auto blocks = MembraneTriangle(X, X, material.skin().stiffness).by_loaded();
+    const auto at = corners_of(triangle, body.vertex_positions());
+    add_part(dense<3>(blocks), key_of(at[0] + at[1] + at[2]), triangle, forces);
+  }
   const std::vector<double>& springs = supports.spring_stiffness();
   for (unsigned m = 0; m < n; ++m) {
     forces[m].compress(VectorOperation::add);

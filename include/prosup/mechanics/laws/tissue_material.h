@@ -17,6 +17,7 @@ struct TissueStiffness {
   double shear_modulus = 357.1; ///< mu of a tissue whose stiffness ratio is 1, Pa
   double poisson_ratio = 0.45;  ///< nu, of all tissues
   double gland_ratio = 1.;      ///< multiplies the stiffness ratio of gland
+  double skin_stiffness = 0.;   ///< shear modulus times thickness of the skin, Pa mm
 };
 
 /// The material of the tissues, section "Material": a law and a Poisson ratio common to all, and
@@ -39,7 +40,8 @@ public:
   /// @throws Error if the law is another one.
   void require_model(const std::string& name, const std::string& method) const;
 
-  /// The material of elements with these tissue labels; uniform if all tissues are the same.
+  /// The material of elements with these tissue labels, without skin; uniform if all tissues are
+  /// the same.
   /// @throws Error if a label has no stiffness ratio.
   Material material_of(const std::vector<unsigned>& tissue_labels,
                        const TissueStiffness& stiffness) const;

@@ -44,6 +44,8 @@ private:
 
   void list_couplings();
   void add_elements(const Material& material, const NodeVector& unloaded);
+  void add_skin(const Skin& skin, const NodeVector& unloaded);
+  std::uint32_t slot_of(unsigned row, unsigned column) const; // of local nodes that are coupled
   void multiply(const std::vector<Block>& blocks, const NodeVector& v, NodeVector& result) const;
   std::vector<Block> inverse_diagonal(const std::vector<Block>& blocks) const;
 
