@@ -1,5 +1,8 @@
 #include "prosup/similarity/element_samples.h"
 
+#include <deal.II/base/mpi.h>
+
+#include "cut_surfaces.h"
 #include "prosup/image/sampling.h"
 #include "prosup/mechanics/body/cell_edges.h"
 
@@ -45,6 +48,25 @@ ElementSamples::ElementSamples(const SimilarityDomain& domain, const ImagedBody&
                                          : cover::tissue,
                  gradient);
   }
+  add_unknown(domain, map);
+}
+
+/// Voxels beyond the cuts are no air: the image does not know them.
+void ElementSamples::add_unknown(const SimilarityDomain& domain, const VoxelMap& map) {
+  const CutSurfaces cuts(*imaged_.body, *imaged_.unloaded, imaged_.image->grid.direction);
+  if (cuts.empty() || Utilities::MPI::this_mpi_process(imaged_.body->communicator()) > 0)
+    return;
+  const auto& size = domain.grid.size;
+  std::size_t v = 0;
+  for (std::size_t k = 0; k < size[2]; ++k)
+    for (std::size_t j = 0; j < size[1]; ++j)
+      for (std::size_t i = 0; i < size[0]; ++i, ++v) {
+        if (map.holds(v) || (!domain.no_air.empty() && domain.no_air[v]))
+          continue; // the latter count where both images show tissue
+        const Point<3> X = domain.grid.physical(double(i), double(j), double(k));
+        if (cuts.beyond(X))
+          samples_.add(static_cast<std::uint32_t>(v), 0.f, cover::excluded, {});
+      }
 }
 
 void ElementSamples::derive_by(Variable variable) {

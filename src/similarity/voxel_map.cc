@@ -53,6 +53,9 @@ VoxelMap::VoxelMap(const image::VoxelGrid& grid, const mechanics::Body& body,
                  [](std::int32_t cell) { return cell != nobody; });
   for (unsigned layer = 0; layer < n_layers; ++layer)
     add_layer(owner);
+  held_.resize(owner.size());
+  std::transform(owner.begin(), owner.end(), held_.begin(),
+                 [](std::int32_t cell) { return cell != nobody; });
   compute_weights(owner, inside, unloaded);
 }
 

@@ -43,9 +43,11 @@ public:
   std::vector<mechanics::CellStiffness> stiffness(const std::vector<float>& curvature) const;
 
 private:
+  void add_unknown(const SimilarityDomain& domain, const VoxelMap& map);
+
   ImagedBody imaged_;
   std::vector<VoxelMap::Voxel> voxels_;
-  Samples samples_;
+  Samples samples_; // of these voxels, and then of those beyond cuts
 };
 
 } // namespace prosup::similarity

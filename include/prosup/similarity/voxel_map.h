@@ -33,6 +33,9 @@ public:
 
   const std::vector<Voxel>& voxels() const { return voxels_; }
 
+  /// Whether a voxel lies in the mesh or in one of the layers around it, on whatever rank.
+  bool holds(std::size_t index) const { return held_[index]; }
+
   /// x(X_v), mm. `displacement` holds x_a - X_a.
   dealii::Point<3> loaded_position(const Voxel& voxel,
                                    const mechanics::NodeVector& displacement) const;
@@ -46,6 +49,7 @@ private:
   const image::VoxelGrid grid_;
   const mechanics::Body& body_;
   std::vector<Voxel> voxels_;
+  std::vector<bool> held_;
 };
 
 } // namespace prosup::similarity
