@@ -26,9 +26,18 @@ constexpr double cell_edge = 8.; // mm, little more than that of usual meshes
 std::vector<Point<3>> corners_at(const Body& body, const NodeVector& unloaded,
                                  const Tensor<1, 3>& up) {
   const double aligned = std::sqrt(0.5);
-  const auto faces =
-      faces_on_boundary(body, {cut_plane}, [&](const Tensor<1, 3>&, const Tensor<1, 3>& normal) {
-        return normal * up > aligned;
+  double ends[2] = {-std::numeric_limits<double>::max(), -std::numeric_limits<double>::max()};
+  for (unsigned node = 0; node < body.n_owned_nodes(); ++node) {
+    const double height = node_value(body.vertex_positions(), node) * up;
+    ends[0] = std::max(ends[0], -height);
+    ends[1] = std::max(ends[1], height);
+  }
+  Utilities::MPI::max(ArrayView<const double>(ends, 2), body.communicator(),
+                      ArrayView<double>(ends, 2));
+  const double middle = 0.5 * (ends[1] - ends[0]); // the normals of faces may point inwards
+  const auto faces = faces_on_boundary(
+      body, {cut_plane}, [&](const Tensor<1, 3>& centre, const Tensor<1, 3>& normal) {
+        return std::abs(normal * up) > aligned && centre * up > middle;
       });
   std::vector<double> here;
   for (const std::size_t face : faces)
