@@ -2,9 +2,11 @@
 
 #include <deal.II/base/numbers.h>
 
+#include "prosup/core/error.h"
 #include "prosup/core/log.h"
 #include "prosup/core/parameters.h"
 #include "prosup/image/filters.h"
+#include "prosup/registration/quality.h"
 
 namespace prosup::registration {
 
@@ -21,6 +23,12 @@ const std::vector<std::string>& freedom_names() {
 }
 
 constexpr double sigma_voxels = 2.;
+// Automatic: chests that are less apart than this (median) may be so by their masks, which are off
+// by 1 mm, and by ribs that move by up to 4 mm.
+constexpr double most_within_masks = 1.5; // mm
+// Further apart than this, scans are not those of one patient in one coordinate system.
+constexpr double farthest_that_fits = 2., longest_shift = 15.; // mm
+constexpr double largest_turn = 0.2;                           // 11 degrees
 constexpr double cover = 2.; // mm below the surface that tissue outside the chest blurs
 
 /// The layer of a mask that lies from `cover` to `depth` below its surface.
@@ -36,13 +44,16 @@ LabelImage layer(const ScalarImage& distance, double depth) {
 PreAlignment::PreAlignment() : ParameterAcceptor("Pre-alignment") {}
 
 void PreAlignment::declare_parameters(ParameterHandler& prm) {
-  prm.add_parameter("Method", method_,
-                    "How to align the supine chest wall with the prone one, by a rigid motion. "
-                    "none: it is aligned already. chest surface: by the surfaces of the chest "
-                    "labels. chest intensities: by the surfaces, and then, along directions in "
-                    "which these can slide, by the mutual information of the images in the chest "
-                    "wall.",
-                    Patterns::Selection("none|chest surface|chest intensities"));
+  prm.add_parameter(
+      "Method", method_,
+      "How to align the supine chest wall with the prone one, by a rigid motion. "
+      "none: it is aligned already. automatic: by the surfaces of the chest labels "
+      "if these are more than 1.5 mm apart and fit after a motion of at most 15 mm "
+      "and 11 degrees. chest surface: by the surfaces of the chest "
+      "labels in any case. chest intensities: by the surfaces, and then, along directions in "
+      "which these can slide, by the mutual information of the images in the chest "
+      "wall.",
+      Patterns::Selection("none|automatic|chest surface|chest intensities"));
   prm.add_parameter("Degrees of freedom", freedom_,
                     "translation, or rigid: translation and rotation.", one_of(freedom_names()));
   prm.add_parameter("Layer depth", layer_depth_,
@@ -57,8 +68,8 @@ void PreAlignment::declare_parameters(ParameterHandler& prm) {
                     Patterns::Double(0., 100.));
 }
 
-Alignment PreAlignment::run(const ScalarImage& prone_image, const ScalarImage& supine_image,
-                            const similarity::Scene& scene) const {
+Alignment PreAlignment::aligned(const ScalarImage& prone_image, const ScalarImage& supine_image,
+                                const similarity::Scene& scene) const {
   PerPosition<LabelImage> chest;
   PerPosition<ScalarImage> distance;
   for (const Position position : both_positions) {
@@ -77,7 +88,7 @@ Alignment PreAlignment::run(const ScalarImage& prone_image, const ScalarImage& s
     result.transform = result.surface.transform;
   };
   const auto align_intensities = [&](double search_distance) {
-    if (method_ == "chest surface")
+    if (method_ != "chest intensities")
       return;
     result.intensities =
         image::align_intensities({prone_image, chest.prone}, {supine_image, chest.supine},
@@ -94,6 +105,24 @@ Alignment PreAlignment::run(const ScalarImage& prone_image, const ScalarImage& s
   }
   result.surface.distance_before = distance_before;
   return result;
+}
+
+std::optional<Alignment> PreAlignment::run(const ScalarImage& prone_image,
+                                           const ScalarImage& supine_image,
+                                           const similarity::Scene& scene) const {
+  if (method_ != "automatic")
+    return aligned(prone_image, supine_image, scene);
+  if (measure_chest_misfit(scene).median < most_within_masks)
+    return {};
+  try {
+    Alignment alignment = aligned(prone_image, supine_image, scene);
+    if (alignment.surface.distance_after < farthest_that_fits &&
+        alignment.transform.translation.norm() < longest_shift &&
+        alignment.transform.rotation_vector().norm() < largest_turn)
+      return alignment;
+  } catch (const Error&) { // no surface in common: the check of the scene says so
+  }
+  return {};
 }
 
 std::string describe(const Alignment& alignment) {

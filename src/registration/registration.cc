@@ -45,6 +45,8 @@ void Registration::align() {
   on_root(ranks_.world(), [&] {
     alignment_ = parameters_.pre_alignment.run(inputs_.originals.prone.image,
                                                inputs_.originals.supine.image, inputs_.scene);
+    if (!alignment_)
+      return;
     log_.line(describe(*alignment_));
     to_prone = alignment_->transform;
   });

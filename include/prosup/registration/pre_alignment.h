@@ -35,13 +35,17 @@ public:
   bool wanted() const { return method_ != "none"; }
 
   /// For one rank. The images are as they were read; their voxels may differ from those of
-  /// the labels of the scene.
-  /// @throws Error if the chest walls do not overlap.
-  Alignment run(const image::ScalarImage& prone, const image::ScalarImage& supine,
-                const similarity::Scene& scene) const;
+  /// the labels of the scene. Nothing if the method is automatic, and the chests are near enough or
+  /// cannot be laid on each other by a small motion.
+  /// @throws Error if the chest walls do not overlap, unless the method is automatic.
+  std::optional<Alignment> run(const image::ScalarImage& prone, const image::ScalarImage& supine,
+                               const similarity::Scene& scene) const;
 
 private:
-  std::string method_ = "none";
+  Alignment aligned(const image::ScalarImage& prone, const image::ScalarImage& supine,
+                    const similarity::Scene& scene) const;
+
+  std::string method_ = "automatic";
   std::string freedom_ = "rigid";
   double layer_depth_ = 30.;     ///< mm
   double search_distance_ = 12.; ///< mm
