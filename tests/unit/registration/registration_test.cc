@@ -6,6 +6,7 @@
 #include "loaded_box.h"
 #include "prosup/core/error.h"
 #include "prosup/mesh/scan_conversion.h"
+#include "prosup/mesh/tet_mesh.h"
 #include "prosup/registration/breast_pair.h"
 #include "prosup/registration/comparison.h"
 #include "prosup/registration/element_breast.h"
@@ -29,6 +30,16 @@ const PerPosition<Tensor<1, 3>> gravity{Tensor<1, 3>({0., -1., 0.}), Tensor<1, 3
 float texture(const Point<3>& X) {
   return float(0.5 + 0.25 * std::sin(0.25 * X[0]) * std::cos(0.3 * X[1]) +
                0.25 * std::cos(0.22 * X[2] + 0.1 * X[1]));
+}
+
+/// The block ends there within its images, while make_box() gives the face the id of cut planes,
+/// beyond which an image knows nothing.
+void make_lower_end_skin(Distributed& mesh) {
+  const auto cut_plane = mesh::boundary_id_of(mesh::BoundaryPart::cut_plane);
+  for (const auto& cell : mesh.active_cell_iterators())
+    for (const unsigned f : cell->face_indices())
+      if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == cut_plane)
+        cell->face(f)->set_boundary_id(6);
 }
 
 /// The same textured block hanging and standing on its upper face, as images, with one breast of
@@ -60,6 +71,7 @@ struct Scene {
     pair = std::make_unique<BreastPair>(
         ranks, MechanicalProperties{material.initial()}, [&](Position position, MPI_Comm group) {
           const auto mesh = make_box(group, n_cells, size, *loaded[position]);
+          make_lower_end_skin(*mesh);
           ElementBreast::Parts parts;
           parts.body = std::make_unique<mechanics::Body>(*mesh);
           parts.supports =
