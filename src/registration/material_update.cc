@@ -54,8 +54,9 @@ void MaterialUpdate::declare_parameters(ParameterHandler& prm) {
       "What the search may change, from the values given under Material and "
       "Supports. The gland ratio only counts where there is gland, the stiffness of chest and cut "
       "planes where there are springs. Gravity turns about the axes perpendicular to the direction "
-      "given, and there is a skin, with fe only. The skin is not among the default: it takes a "
-      "third more steps and changes the error of known cases by hundredths of a mm.",
+      "given, and there is a skin, with fe only. The skin is not among the default: it takes "
+      "more steps, up to five times as many, and changes the error of known cases by hundredths of "
+      "a mm.",
       Patterns::List(*one_of(property_names()).clone(), 0, property_names().size()));
   prm.add_parameter("Levels", levels_,
                     "Edges of the voxels on which the images are compared, from coarse to fine. "

@@ -79,6 +79,9 @@ CutSurfaces::Surface::Surface(const std::vector<Point<3>>& points, const Tensor<
     heights[i] /= std::max(n[i], 1.);
   }
   fill_gaps(std::move(known));
+  const auto [least, most] = std::minmax_element(heights.begin(), heights.end());
+  lowest = *least;
+  highest = *most;
 }
 
 std::size_t CutSurfaces::Surface::cell(const Point<3>& X, unsigned axis) const {
@@ -131,7 +134,7 @@ CutSurfaces::CutSurfaces(const Body& body, const NodeVector& unloaded, const Ten
 
 bool CutSurfaces::beyond(const Point<3>& X) const {
   return std::any_of(surfaces_.begin(), surfaces_.end(),
-                     [&](const Surface& surface) { return X * surface.up > surface.height(X); });
+                     [&](const Surface& surface) { return surface.is_passed_by(X); });
 }
 
 } // namespace prosup::similarity

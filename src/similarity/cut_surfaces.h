@@ -31,6 +31,7 @@ private:
     double low[2];
     std::size_t size[2];
     std::vector<double> heights;
+    double lowest, highest; ///< of them
 
     Surface(const std::vector<dealii::Point<3>>& points, const dealii::Tensor<1, 3>& up,
             const dealii::Tensor<1, 3>& first, const dealii::Tensor<1, 3>& second);
@@ -38,6 +39,11 @@ private:
     std::size_t cell(const dealii::Point<3>& X, unsigned axis) const;
     double& height(const dealii::Point<3>& X);
     double height(const dealii::Point<3>& X) const;
+    /// Most voxels are above or below all heights, so that theirs is not looked up.
+    bool is_passed_by(const dealii::Point<3>& X) const {
+      const double at = X * up;
+      return at > lowest && (at > highest || at > height(X));
+    }
     void fill_gaps(std::vector<bool> known);
   };
 
