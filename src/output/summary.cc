@@ -90,6 +90,7 @@ Json as_json(const Summary& summary) {
   set(json["material"], "gland_ratio", summary.gland_ratio);
   set(json["material"], "skin_stiffness", summary.skin_stiffness);
   set(json["material"], "chest_stiffness", summary.chest_stiffness);
+  set(json["material"], "lateral_chest_ratio", summary.lateral_chest_ratio);
   set(json["material"], "cut_plane_stiffness", summary.cut_plane_stiffness);
   set(json["material"], "supine_tilt", summary.supine_tilt);
   set(json["tre"], "initial", summary.tre.initial);

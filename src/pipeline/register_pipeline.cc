@@ -54,6 +54,7 @@ std::map<std::string, double> named(const MechanicalProperties& properties) {
           {"gland_ratio", properties.tissue.gland_ratio},
           {"skin_stiffness", properties.tissue.skin_stiffness},
           {"chest_stiffness", properties.chest_stiffness},
+          {"lateral_chest_ratio", properties.lateral_chest_ratio},
           {"cut_plane_stiffness", properties.cut_plane_stiffness},
           {"tilt_left", properties.tilt.degrees()[0]},
           {"tilt_superior", properties.tilt.degrees()[1]}};
@@ -171,8 +172,10 @@ void RegisterPipeline::note_properties() {
   summary.gland_ratio = found.tissue.gland_ratio;
   if (found.tissue.skin_stiffness > 0.)
     summary.skin_stiffness = found.tissue.skin_stiffness;
-  if (found.chest_stiffness > 0.)
+  if (found.chest_stiffness > 0.) {
     summary.chest_stiffness = found.chest_stiffness;
+    summary.lateral_chest_ratio = found.lateral_chest_ratio;
+  }
   if (found.cut_plane_stiffness > 0.)
     summary.cut_plane_stiffness = found.cut_plane_stiffness;
   summary.supine_tilt = found.tilt.degrees();

@@ -35,6 +35,7 @@ void for_each_number(State& state, const Visitor& visit) {
   visit("registration/gland_ratio", state.properties.tissue.gland_ratio);
   visit("registration/skin_stiffness", state.properties.tissue.skin_stiffness);
   visit("registration/chest_stiffness", state.properties.chest_stiffness);
+  visit("registration/lateral_chest_ratio", state.properties.lateral_chest_ratio);
   visit("registration/cut_plane_stiffness", state.properties.cut_plane_stiffness);
   visit("registration/tilt_left", state.properties.tilt.left);
   visit("registration/tilt_superior", state.properties.tilt.superior);

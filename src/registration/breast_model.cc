@@ -49,7 +49,8 @@ void SimulationParameters::declare_parameters(dealii::ParameterHandler& prm) {
 }
 
 MechanicalProperties initial_properties(const BreastModel& model, unloading::ChestCondition chest) {
-  MechanicalProperties properties{model.material.initial(), model.supports.chest_stiffness(chest)};
+  MechanicalProperties properties{model.material.initial(), model.supports.chest_stiffness(chest),
+                                  model.supports.lateral_chest_ratio()};
   if (model.simulation.method == "fe")
     properties.cut_plane_stiffness = model.supports.cut_plane_stiffness();
   return properties;

@@ -85,6 +85,10 @@ bool GridBreast::has_gland() const {
 
 void GridBreast::set_properties(const MechanicalProperties& properties) {
   unloading_->set_material(material(properties.tissue));
+  if (properties.lateral_chest_ratio != 1.)
+    throw Error(
+        "'Supports/Lateral chest ratio' is not 1, but finite differences know one stiffness "
+        "of the chest only; set it to 1 or choose 'Simulation/Method' = fe.");
   unloading_->set_spring_stiffness(properties.chest_stiffness);
 }
 

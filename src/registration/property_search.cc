@@ -17,18 +17,21 @@ using namespace dealii;
 
 namespace {
 
-/// Those of `names` that the breasts have.
+/// Those of `names` that the breasts have and that this level is to find.
 std::vector<const SearchedProperty*> chosen_of(const std::vector<std::string>& names,
                                                const MechanicalProperties& properties,
-                                               const PropertiesOfPair& pair) {
+                                               const PropertiesOfPair& pair, bool is_finest) {
   std::vector<const SearchedProperty*> chosen;
   for (const SearchedProperty& property : searched_properties()) {
     const std::string name = property.name;
     if (std::find(names.begin(), names.end(), name) != names.end() &&
-        (name != "gland ratio" || pair.has_gland) &&
+        (is_finest || !property.is_subtle) && (name != "gland ratio" || pair.has_gland) &&
         (name != "chest stiffness" || properties.chest_stiffness > 0.) &&
+        (name != "lateral chest ratio" ||
+         (properties.chest_stiffness > 0. && pair.consists_of_elements)) &&
         (name != "cut plane stiffness" || properties.cut_plane_stiffness > 0.) &&
-        (name != "gravity" || pair.can_tilt) && (name != "skin stiffness" || pair.can_have_skin))
+        (name != "gravity" || pair.can_tilt) &&
+        (name != "skin stiffness" || pair.consists_of_elements))
       chosen.push_back(&property);
   }
   return chosen;
@@ -53,8 +56,18 @@ public:
 
   bool is_exact() const { return is_exact_; }
 
-  /// Derivatives by differences, one trial each.
+  /// Derivatives of the best state: exact, or by differences, one trial each.
   void linearize() {
+    if (trials_.can_derive())
+      derivatives_ = trials_.derivatives(searched_);
+    else
+      derive_by_trials();
+    is_exact_ = true;
+    set_equations();
+  }
+
+private:
+  void derive_by_trials() {
     derivatives_.assign(searched_.size(), std::vector<float>(residuals_.size(), 0.f));
     for (unsigned i = 0; i < searched_.size(); ++i) {
       const SearchedProperty& property = *searched_[i];
@@ -71,10 +84,9 @@ public:
       }
       trials_.return_to_best();
     }
-    is_exact_ = true;
-    set_equations();
   }
 
+public:
   /// Goes on from the present, better state, with derivatives that explain how the
   /// residuals changed on the way there (Broyden's update).
   void accept(double value) {
@@ -192,7 +204,7 @@ const std::vector<std::string>& property_names() {
 void search_properties(const std::vector<std::string>& names, PropertyTrials& trials,
                        MaterialProgress& progress, unsigned max_steps, double least_gain,
                        bool to_the_end, const Keeper& keep) {
-  const auto chosen = chosen_of(names, trials.best(), trials.pair());
+  const auto chosen = chosen_of(names, trials.best(), trials.pair(), to_the_end);
   if (chosen.empty())
     return;
   double& damping = progress.damping;
@@ -202,8 +214,8 @@ void search_properties(const std::vector<std::string>& names, PropertyTrials& tr
   const double first = progress.first_value;
   while (progress.n_accepted < max_steps) {
     keep();
-    if (progress.n_accepted > 0 && progress.n_accepted % steps_per_linearization == 0 &&
-        !search.is_exact())
+    if (progress.n_accepted > 0 && !search.is_exact() &&
+        (trials.can_derive() || progress.n_accepted % steps_per_linearization == 0))
       search.linearize();
     const double before = trials.best_value();
     const bool was_exact = search.is_exact();
@@ -233,7 +245,7 @@ std::vector<std::string> properties_at_bound(const std::vector<std::string>& nam
                                              const PropertiesOfPair& pair) {
   constexpr double near = 1e-3; // of a logarithm
   std::vector<std::string> found;
-  for (const SearchedProperty* property : chosen_of(names, properties, pair)) {
+  for (const SearchedProperty* property : chosen_of(names, properties, pair, true)) {
     const double q = property->get(properties);
     if ((q < property->low + near && !property->may_be_low) || q > property->high - near)
       found.emplace_back(property->name);

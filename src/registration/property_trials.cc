@@ -1,5 +1,7 @@
 #include "property_trials.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "prosup/core/error.h"
@@ -12,6 +14,11 @@ namespace {
 /// will, and no step of the search is worth the time.
 constexpr unsigned max_trial_steps = 3000;
 
+// Motion of the node that moves most, in voxels, over which residuals are differentiated: shorter
+// than the textures of the images, derivatives would say nothing about the next step.
+constexpr double reach = 1.;
+constexpr double least_jacobian = 0.3; // where a trial may start
+
 constexpr double filled_part = 0.5; // of the box around a breast
 
 } // namespace
@@ -19,12 +26,13 @@ constexpr double filled_part = 0.5; // of the box around a breast
 PropertiesOfPair::PropertiesOfPair(const BreastPair& pair)
     : has_gland(pair.has_gland()),
       can_tilt(pair.all([](const Breast& breast) { return breast.knows_gravity(); })),
-      can_have_skin(pair.consists_of_elements()) {}
+      consists_of_elements(pair.consists_of_elements()) {}
 
 PropertyTrials::PropertyTrials(BreastPair& pair, Comparison comparison, double correlation_length,
                                const Log& log, const Observer& observer, MaterialProgress& progress)
     : pair_(pair), comparison_(std::move(comparison)), log_(log), observer_(observer),
-      progress_(progress), has_(pair), best_properties_(pair.properties()) {
+      progress_(progress), has_(pair), can_derive_(PropertyResponse::applies_to(pair)),
+      best_properties_(pair.properties()) {
   pair_.save();
   if (progress_.grid.n_voxels() > 0)
     return;
@@ -55,9 +63,13 @@ bool PropertyTrials::unload(const MechanicalProperties& properties) {
   ++result.n_trials;
   try {
     pair_.set_properties(properties);
+    if (response_)
+      move_towards(properties);
     const auto unloaded = pair_.unload(max_trial_steps);
     result.n_steps += unloaded.prone.n_steps + unloaded.supine.n_steps;
     converged_ = unloaded.prone.converged && unloaded.supine.converged;
+    if (response_)
+      response_->balance();
     return unloaded.prone.n_steps < max_trial_steps && unloaded.supine.n_steps < max_trial_steps;
   } catch (const Error& error) {
     log_.line("  trial rejected, with " + in_words(properties) + ": " + error.what());
@@ -65,7 +77,49 @@ bool PropertyTrials::unload(const MechanicalProperties& properties) {
   }
 }
 
+std::vector<std::vector<float>>
+PropertyTrials::derivatives(const std::vector<const SearchedProperty*>& searched) {
+  searched_ = searched;
+  response_.emplace(pair_, searched);
+  pair_.save();
+  progress_.best_value = comparison_.value();
+  const std::vector<float> before = residuals();
+  std::vector<std::vector<float>> result;
+  for (unsigned i = 0; i < searched.size(); ++i) {
+    const double motion = response_->largest_motion(i);
+    std::vector<double> change(searched.size(), 0.);
+    if (motion > 0.)
+      change[i] = std::copysign(
+          std::min(reach * comparison_.level() / motion, std::abs(searched[i]->difference)),
+          searched[i]->difference);
+    std::vector<float> derivative(before.size(), 0.f);
+    if (motion > 0. && response_->move(change) > 0.) {
+      derivative = residuals();
+      for (std::size_t v = 0; v < before.size(); ++v)
+        derivative[v] = static_cast<float>((derivative[v] - before[v]) / change[i]);
+    }
+    result.push_back(std::move(derivative));
+  }
+  return_to_best();
+  return result;
+}
+
+/// To where the derivatives lead, or as far as no element is nearly crushed.
+void PropertyTrials::move_towards(const MechanicalProperties& properties) const {
+  std::vector<double> change;
+  for (const SearchedProperty* property : searched_)
+    change.push_back(property->get(properties) - property->get(best_properties_));
+  for (unsigned halvings = 0; halvings < 4; ++halvings) {
+    if (response_->move(change) > least_jacobian)
+      return;
+    for (double& part : change)
+      part *= 0.5;
+  }
+  pair_.restore();
+}
+
 void PropertyTrials::accept(double value) {
+  response_.reset();
   progress_.best_value = value;
   best_properties_ = pair_.properties();
   pair_.save();
@@ -87,6 +141,8 @@ std::string PropertyTrials::in_words(const MechanicalProperties& properties) con
     text += format(", skin %.0f Pa mm", tissue.skin_stiffness);
   if (properties.chest_stiffness > 0.)
     text += format(", chest %.2f Pa/mm", properties.chest_stiffness);
+  if (properties.chest_stiffness > 0. && properties.lateral_chest_ratio != 1.)
+    text += format(" (x %.2f at the side)", properties.lateral_chest_ratio);
   if (properties.cut_plane_stiffness > 0.)
     text += format(", cuts %.1f Pa/mm", properties.cut_plane_stiffness);
   const auto [left, superior] = properties.tilt.degrees();

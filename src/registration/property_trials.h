@@ -1,9 +1,11 @@
 #ifndef PROSUP_REGISTRATION_PROPERTY_TRIALS_H
 #define PROSUP_REGISTRATION_PROPERTY_TRIALS_H
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "property_response.h"
 #include "prosup/registration/material_update.h"
 
 namespace prosup::registration {
@@ -11,8 +13,8 @@ namespace prosup::registration {
 /// What of a pair decides which properties it has.
 struct PropertiesOfPair {
   bool has_gland;
-  bool can_tilt;      ///< its gravity
-  bool can_have_skin; ///< its breasts consist of elements
+  bool can_tilt;             ///< its gravity
+  bool consists_of_elements; ///< not of voxels
 
   explicit PropertiesOfPair(const BreastPair& pair);
 };
@@ -32,6 +34,12 @@ public:
   /// The weight of MaterialUpdate's prior, beside the dissimilarity, of which `left` is error.
   double prior_weight(double left) const;
 
+  /// Derivatives of the residuals by these properties at the best state, which is the present one,
+  /// from that of the unloaded positions. The trials from this state then start where it leads.
+  std::vector<std::vector<float>> derivatives(const std::vector<const SearchedProperty*>& searched);
+  /// Whether there are such.
+  bool can_derive() const { return can_derive_; }
+
   /// Unloads with these properties; false if no state was found.
   bool unload(const MechanicalProperties& properties);
   double value() const { return comparison_.value(); }
@@ -43,6 +51,7 @@ public:
 private:
   std::string in_words(const MechanicalProperties& properties) const;
   void report(double value) const;
+  void move_towards(const MechanicalProperties& properties) const;
   double pair_volume() const; // mm^3
 
   BreastPair& pair_;
@@ -51,8 +60,11 @@ private:
   const Observer& observer_;
   MaterialProgress& progress_;
   const PropertiesOfPair has_;
+  const bool can_derive_;
   bool converged_ = true;
   MechanicalProperties best_properties_;
+  std::vector<const SearchedProperty*> searched_;
+  std::optional<PropertyResponse> response_; // of the best state by them
 };
 
 } // namespace prosup::registration

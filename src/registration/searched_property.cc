@@ -45,6 +45,9 @@ const std::vector<SearchedProperty>& searched_properties() {
       {"chest stiffness", [](const P& p) { return std::log(p.chest_stiffness); },
        [](P& p, double q) { p.chest_stiffness = std::exp(q); }, 0.2, 0.7, std::log(0.1),
        std::log(500.), std::log(8.), 1.2, true}, // low: tissue that slides freely
+      {"lateral chest ratio", [](const P& p) { return std::log(p.lateral_chest_ratio); },
+       [](P& p, double q) { p.lateral_chest_ratio = std::exp(q); }, -0.5, 1.5, std::log(1e-3),
+       std::log(10.), std::log(0.3), 1.5, true, true}, // low: free at the side
       // k0/(k0 + k): what gives way is linear in 1/k where hardly anything does
       {"cut plane stiffness",
        [](const P& p) { return usual_cut / (usual_cut + p.cut_plane_stiffness); },

@@ -18,6 +18,7 @@ struct SearchedProperty {
   double low, high;    ///< of q
   double mean, deviation;
   bool may_be_low = false; ///< the low end is plausible
+  bool is_subtle = false;  ///< seen only once the others are nearly right: on the finest level
 
   /// Minus the logarithm of its prior probability, but for a constant.
   double surprise(const MechanicalProperties& properties) const {

@@ -107,6 +107,8 @@ std::string value_of(const std::string& name, const MechanicalProperties& proper
     return format("%.3f", properties.tissue.poisson_ratio);
   if (name == "gland ratio")
     return format("%.2f", properties.tissue.gland_ratio);
+  if (name == "lateral chest ratio")
+    return format("%.3f", properties.lateral_chest_ratio);
   if (name == "skin stiffness")
     return format("%.0f Pa mm", properties.tissue.skin_stiffness);
   if (name == "gravity") {

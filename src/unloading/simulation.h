@@ -23,7 +23,10 @@ public:
 
   void set_material(const mechanics::Material& material);
   void add_force(const NodeVector& increment, double ramp_time);
+  double move_to(const NodeVector& unloaded);
   double adopt(const NodeVector& unloaded);
+  NodeVector out_of_balance();
+  dealii::Tensor<1, 3> body_force() const { return parameters_.density * gravity_; }
   void set_gravity_direction(const dealii::Tensor<1, 3>& direction);
   void hold_reference() { holds_reference_ = true; }
   Snapshot save() const;
@@ -58,6 +61,8 @@ private:
   void check() const;
   void update_reference();
   void update_external_force();
+  NodeVector displacement_to_mesh() const;
+  double subtract_inner_forces(const NodeVector& displacement, NodeVector& force);
   settling::Remedy hold_stalled_nodes();
   settling::Remedy hold_chest();
   void hold(const std::vector<bool>& nodes);

@@ -99,27 +99,48 @@ void Unloading::Simulation::add_force(const NodeVector& increment, double ramp_t
   state_.ramp_time = ramp_time;
 }
 
-double Unloading::Simulation::adopt(const NodeVector& unloaded) {
+/// x - X, mm.
+NodeVector Unloading::Simulation::displacement_to_mesh() const {
+  NodeVector result = body_.vertex_positions();
+  result -= state_.unloaded;
+  result.update_ghost_values();
+  return result;
+}
+
+double Unloading::Simulation::move_to(const NodeVector& unloaded) {
   std::copy_n(unloaded.begin(), 3 * body_.n_owned_nodes(), state_.unloaded.begin());
   state_.unloaded.update_ghost_values();
   supports_.contacts().put_on_surfaces(state_.unloaded);
-  const NodeVector& loaded = body_.vertex_positions();
-  for (unsigned i = 0; i < 3 * body_.n_local_nodes(); ++i)
-    state_.displacement.local_element(i) =
-        loaded.local_element(i) - state_.unloaded.local_element(i);
+  state_.displacement = displacement_to_mesh();
   update_reference();
   integrator_.velocity() = 0.;
   state_.loading = 1.;
+  NodeVector force = external_force_;
+  return subtract_inner_forces(state_.displacement, force);
+}
+
+double Unloading::Simulation::adopt(const NodeVector& unloaded) {
+  const double jacobian = move_to(unloaded);
   state_.ramp_time = 0.;
   state_.force = 0.;
   state_.force_increment = 0.;
+  state_.force.add(-1., out_of_balance());
+  return jacobian;
+}
+
+NodeVector Unloading::Simulation::out_of_balance() {
   update_external_force();
-  supports_.contacts().linearize(state_.unloaded, state_.displacement);
-  NodeVector out_of_balance = external_force_;
-  const double jacobian = Utilities::MPI::min(
-      internal_force_.subtract(state_.displacement, out_of_balance), body_.communicator());
-  supports_.add_spring_forces(state_.displacement, out_of_balance);
-  state_.force.add(-1., out_of_balance);
+  NodeVector force = external_force_;
+  subtract_inner_forces(displacement_to_mesh(), force);
+  return force;
+}
+
+/// Subtracts the forces of elements and springs; returns the smallest J.
+double Unloading::Simulation::subtract_inner_forces(const NodeVector& displacement,
+                                                    NodeVector& force) {
+  const double jacobian =
+      Utilities::MPI::min(internal_force_.subtract(displacement, force), body_.communicator());
+  supports_.add_spring_forces(displacement, force);
   return jacobian;
 }
 

@@ -81,6 +81,11 @@ double mean_edge(const Body& body, const mechanics::BoundaryIds& ids) {
   return sums[1] > 0. ? std::sqrt(sums[0] / sums[1] * 4. / std::sqrt(3.)) : 0.;
 }
 
+/// |n_x| of the unit normal n along `gradient`.
+double sideways_part(const Tensor<1, 3>& gradient) {
+  return std::abs(gradient[0]) / std::max(gradient.norm(), 1e-6);
+}
+
 /// The box that holds the nodes on the chest wall.
 std::pair<Point<3>, Point<3>> chest_box(const Body& body) {
   const std::vector<bool> on_chest = nodes_on_boundary(body, {chest_wall});
@@ -113,6 +118,12 @@ void SupportParameters::declare_parameters(ParameterHandler& prm) {
                     "pull sliding tissue back to its unloaded position, f = -A k (x - X). Without "
                     "them a soft breast slides off sideways. Units: Pa/mm.",
                     Patterns::Double(0., 1e6));
+  prm.add_parameter(
+      "Lateral chest ratio", lateral_chest_ratio_,
+      "rho, how much stiffer that fascia is where the chest faces sideways than where "
+      "it faces forwards: k rho^|n_x|, n being the unit normal of the chest. A "
+      "registration starts from it and finds what suits both images. Units: none.",
+      Patterns::Double(1e-3, 1e3));
   prm.add_parameter("Chest smoothing", chest_smoothing_,
                     "Standard deviation of the Gaussian that smooths the distance from the chest, "
                     "over the cube root of the volume of a voxel. Units: none.",
@@ -189,8 +200,12 @@ void SupportParameters::add_chest(ChestCondition chest, const image::LabelImage&
                     chest == ChestCondition::sliding ? ContactLaw::tied : ContactLaw::one_sided);
   supports.contacts().set_method(
       contact_method_ == "gradual" ? ContactMethod::gradual : ContactMethod::projection, gradual_);
-  if (chest_stiffness_ > 0.)
+  if (chest_stiffness_ > 0.) {
     supports.add_springs({chest_wall}, chest_stiffness_);
+    supports.grade_springs_on(chest_wall, [&](const Tensor<1, 3>& centre, const Tensor<1, 3>&) {
+      return sideways_part(surface->gradient(centre));
+    });
+  }
 }
 
 void SupportParameters::add_cut_planes(const image::VoxelGrid& grid, const image::LabelImage& other,

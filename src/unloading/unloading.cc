@@ -6,6 +6,8 @@
 
 namespace prosup::unloading {
 
+using namespace dealii;
+
 Unloading::Unloading(const UnloadingParameters& parameters, mechanics::Supports& supports,
                      const dealii::Tensor<1, 3>& gravity_direction, std::string name,
                      const Log& log)
@@ -24,6 +26,18 @@ void Unloading::set_gravity_direction(const dealii::Tensor<1, 3>& direction) {
 
 void Unloading::add_force(const NodeVector& increment, double ramp_time) {
   simulation_->add_force(increment, ramp_time);
+}
+
+double Unloading::move_to(const NodeVector& unloaded) {
+  return simulation_->move_to(unloaded);
+}
+
+NodeVector Unloading::out_of_balance() {
+  return simulation_->out_of_balance();
+}
+
+Tensor<1, 3> Unloading::body_force() const {
+  return simulation_->body_force();
 }
 
 double Unloading::adopt(const NodeVector& unloaded) {

@@ -31,6 +31,9 @@ struct MechanicalProperties {
   mechanics::TissueStiffness tissue;
   /// Of the springs between breast and chest wall, Pa/mm; 0 if there are none.
   double chest_stiffness = 0.;
+  /// rho: where the chest faces sideways these springs are as many times as stiff as in front,
+  /// k rho^|n_x| with the unit normal n of the chest in LPS.
+  double lateral_chest_ratio = 1.;
   /// Of the springs on cut planes, Pa/mm; 0 if there are none.
   double cut_plane_stiffness = 0.;
   Tilt tilt{};

@@ -54,6 +54,9 @@ public:
     return chest == ChestCondition::fixed ? 0. : chest_stiffness_;
   }
 
+  /// How many times as stiff they are where the chest faces sideways.
+  double lateral_chest_ratio() const { return lateral_chest_ratio_; }
+
   /// Stiffness of the springs on cut planes, Pa/mm; 0 if there are none.
   double cut_plane_stiffness() const {
     return cut_planes_ == "yielding" || cut_planes_ == "sliding" || cut_planes_ == "elastic"
@@ -73,6 +76,7 @@ private:
                       mechanics::Supports& supports) const;
 
   double chest_stiffness_ = 8.;
+  double lateral_chest_ratio_ = 1.;
   double chest_smoothing_ = 1.5;
   std::string contact_method_ = "projection";
   mechanics::GradualCorrection gradual_;

@@ -61,10 +61,17 @@ public:
   void add_force(const NodeVector& increment, double ramp_time);
 
   /// Sets X to `unloaded` (owned nodes, mm) and u to x - X, after projecting sliding
-  /// nodes onto their surfaces. All forces added so far are replaced by those that hold
-  /// this state in balance. Returns the smallest J = det dx/dX; if that is not positive, the
-  /// state cannot be simulated.
+  /// nodes onto their surfaces, and stops all motion. Returns the smallest J = det dx/dX; if that
+  /// is not positive, the state cannot be simulated.
+  double move_to(const NodeVector& unloaded);
+  /// The same, with the forces added so far replaced by those that hold this state in balance.
   double adopt(const NodeVector& unloaded);
+
+  /// external(X) - internal(X -> x) - springs(X -> x) with the present loads, material and supports
+  /// (owned nodes, g mm/s^2), for the loaded positions x of the mesh.
+  NodeVector out_of_balance();
+  /// rho g, g/(mm^2 s^2).
+  dealii::Tensor<1, 3> body_force() const;
 
   /// Keeps X fixed from now on: run() is then a plain forward simulation, which settles
   /// in the loaded state X + u.

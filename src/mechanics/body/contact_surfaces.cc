@@ -68,6 +68,13 @@ void ContactSurfaces::set_method(ContactMethod method, const GradualCorrection& 
   correction_ = correction;
 }
 
+bool ContactSurfaces::ties_exactly() const {
+  return contacts_.empty() ||
+         (method_ == ContactMethod::projection &&
+          std::all_of(contacts_.begin(), contacts_.end(),
+                      [](const Contact& contact) { return contact.law == ContactLaw::tied; }));
+}
+
 void ContactSurfaces::put_on_surfaces(NodeVector& positions) {
   if (method_ == ContactMethod::gradual)
     return;

@@ -3,6 +3,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace prosup::mechanics {
@@ -29,13 +30,29 @@ void Supports::slide_on(std::shared_ptr<const Surface> surface, const BoundaryId
 }
 
 void Supports::add_springs(const BoundaryIds& ids, double stiffness, const FaceFilter& counts) {
-  springs_.push_back({ids, faces_on_boundary(body_, ids, counts), stiffness});
+  springs_.push_back({ids, faces_on_boundary(body_, ids, counts), stiffness, 1., {}});
 }
 
-void Supports::set_springs_on(types::boundary_id id, double stiffness) {
+void Supports::grade_springs_on(types::boundary_id id, const FaceValue& exponent) {
   for (Springs& springs : springs_)
     if (springs.ids.count(id) > 0)
+      springs.exponents = values_at_faces(body_, springs.faces, exponent);
+}
+
+void Supports::set_springs_on(types::boundary_id id, double stiffness, double ratio) {
+  for (Springs& springs : springs_)
+    if (springs.ids.count(id) > 0) {
       springs.stiffness = stiffness;
+      springs.ratio = ratio;
+    }
+}
+
+std::vector<double> Supports::Springs::weights() const {
+  std::vector<double> result;
+  if (ratio != 1.)
+    for (const double exponent : exponents)
+      result.push_back(std::pow(ratio, exponent));
+  return result;
 }
 
 bool Supports::hold_anything() const {
@@ -53,11 +70,21 @@ void Supports::set_reference(const NodeVector& unloaded) {
     return;
   spring_stiffness_.assign(body_.n_local_nodes(), 0.);
   for (const Springs& springs : springs_) {
-    const std::vector<double> area = lumped_area(body_, springs.faces, unloaded);
+    const std::vector<double> area = lumped_area(body_, springs.faces, unloaded, springs.weights());
     for (unsigned node = 0; node < area.size(); ++node)
       if (!fixed_[node])
         spring_stiffness_[node] += springs.stiffness * area[node];
   }
+}
+
+std::vector<Supports::SpringFace> Supports::spring_faces() const {
+  std::vector<SpringFace> result;
+  for (const Springs& springs : springs_) {
+    const std::vector<double> weights = springs.weights();
+    for (std::size_t i = 0; i < springs.faces.size(); ++i)
+      result.push_back({springs.faces[i], springs.stiffness * (weights.empty() ? 1. : weights[i])});
+  }
+  return result;
 }
 
 void Supports::add_spring_forces(const NodeVector& displacement, NodeVector& force) const {

@@ -28,6 +28,11 @@ public:
   using AddBlock =
       std::function<void(const std::vector<int>& nodes, const std::vector<double>& values)>;
 
+  /// Takes a dense block u w^T of components of nodes with these global numbers.
+  using AddProduct =
+      std::function<void(const std::vector<int>& nodes, const std::vector<dealii::Tensor<1, 3>>& u,
+                         const std::vector<dealii::Tensor<1, 3>>& w)>;
+
   explicit Equilibrium(const Body& body);
 
   const Body& body() const { return body_; }
@@ -58,9 +63,17 @@ public:
   /// components. All J have to be positive. Collective.
   void tangent(const NodeVector& unknown, const AddBlock& add) const;
 
-  /// Pairs of nodes that the tangent couples, in the rows of owned nodes.
-  /// Collective.
-  dealii::DynamicSparsityPattern node_pattern() const;
+  /// The same, with what couples all nodes around another one (the averaged pressure of each owned
+  /// node) as products.
+  void tangent(const NodeVector& unknown, const AddBlock& add, const AddProduct& add_product) const;
+
+  /// Takes the pressure of each element for itself, where it is averaged at nodes: a tangent that
+  /// couples neighbours only, to precondition the other one.
+  void take_local_pressure() { takes_local_pressure_ = true; }
+
+  /// Pairs of nodes that the tangent couples, in the rows of owned nodes, with or without the
+  /// products. Collective.
+  dealii::DynamicSparsityPattern node_pattern(bool with_products = true) const;
 
 private:
   const NodeVector& unloaded(const NodeVector& unknown) const {
@@ -69,7 +82,9 @@ private:
   const NodeVector& loaded(const NodeVector& unknown) const {
     return unknown_ == Unknown::loaded ? unknown : *known_;
   }
-  bool averages_pressure() const { return body_.element().type == ElementType::nodal_pressure; }
+  bool averages_pressure() const {
+    return body_.element().type == ElementType::nodal_pressure && !takes_local_pressure_;
+  }
   template <typename L>
   PointResponse point_response(const L& law, unsigned element, const PointKinematics& point) const {
     return averages_pressure()
@@ -99,6 +114,7 @@ private:
   Unknown unknown_ = Unknown::loaded;
   const NodeVector* known_ = nullptr;
   double load_fraction_ = 1.;
+  bool takes_local_pressure_ = false;
 };
 
 } // namespace prosup::mechanics

@@ -31,15 +31,21 @@ void outer(const std::vector<Tensor<1, 3>>& u, const std::vector<Tensor<1, 3>>& 
 } // namespace
 
 void Equilibrium::tangent(const NodeVector& unknown, const AddBlock& add) const {
+  std::vector<double> values;
+  tangent(unknown, add, [&](const auto& nodes, const auto& u, const auto& w) {
+    outer(u, w, values);
+    add(nodes, values);
+  });
+}
+
+void Equilibrium::tangent(const NodeVector& unknown, const AddBlock& add,
+                          const AddProduct& add_product) const {
   std::unique_ptr<NodalPressure> pressure;
   if (averages_pressure()) {
     pressure = std::make_unique<NodalPressure>(body_);
     pressure->evaluate(material_, unloaded(unknown), loaded(unknown));
-    std::vector<double> values;
-    for (const auto& patch : pressure->patches(unknown_ == Unknown::loaded, fixed_)) {
-      outer(patch.volume_change, patch.pressure_change, values);
-      add(patch.nodes, values);
-    }
+    for (const auto& patch : pressure->patches(unknown_ == Unknown::loaded, fixed_))
+      add_product(patch.nodes, patch.volume_change, patch.pressure_change);
   }
   std::visit([&](const auto& law) { add_element_tangents(law, unknown, pressure.get(), add); },
              material_.law());
@@ -112,7 +118,7 @@ void Equilibrium::add_nodal_tangents(const NodeVector& unknown, const AddBlock& 
   }
 }
 
-DynamicSparsityPattern Equilibrium::node_pattern() const {
+DynamicSparsityPattern Equilibrium::node_pattern(bool with_products) const {
   const unsigned n_nodes = n_global_nodes(body_);
   DynamicSparsityPattern pattern(n_nodes, n_nodes);
   const auto couple = [&](const auto& nodes) {
@@ -126,7 +132,7 @@ DynamicSparsityPattern Equilibrium::node_pattern() const {
       global[a] = global_node(body_.element_nodes(e)[a]);
     couple(global);
   }
-  if (averages_pressure()) {
+  if (with_products && averages_pressure()) {
     NodalPressure pressure(body_);
     const Material any(LameParameters{1., 1.});
     pressure.evaluate(any, body_.vertex_positions(), body_.vertex_positions());

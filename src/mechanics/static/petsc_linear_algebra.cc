@@ -16,7 +16,7 @@ OwnedVector make_vector(const Body& body) {
   return owned;
 }
 
-OwnedMatrix make_matrix(const Equilibrium& equations) {
+OwnedMatrix make_matrix(const Equilibrium& equations, bool with_products) {
   const PetscInt n = static_cast<PetscInt>(equations.body().n_owned_nodes());
   Mat matrix = nullptr;
   check(MatCreate(equations.body().communicator(), &matrix));
@@ -29,7 +29,7 @@ OwnedMatrix make_matrix(const Equilibrium& equations) {
   const OwnedVector layout = make_vector(equations.body());
   check(VecGetOwnershipRange(layout.get(), &begin, nullptr));
   begin /= 3;
-  const DynamicSparsityPattern pattern = equations.node_pattern();
+  const DynamicSparsityPattern pattern = equations.node_pattern(with_products);
   std::vector<PetscInt> n_own_columns(static_cast<std::size_t>(n), 0),
       n_other_columns(n_own_columns);
   for (PetscInt row = 0; row < n; ++row)

@@ -14,8 +14,8 @@ using OwnedMatrix = Owned<Mat, MatDestroy>;
 /// A vector with the components of a NodeVector.
 OwnedVector make_vector(const Body& body);
 
-/// A matrix with room for the tangent.
-OwnedMatrix make_matrix(const Equilibrium& equations);
+/// A matrix with room for the tangent, or for it without its products.
+OwnedMatrix make_matrix(const Equilibrium& equations, bool with_products = true);
 
 /// LU of MUMPS, or GMRES with GAMG.
 void set_linear_solver(KSP ksp, LinearSolver solver);

@@ -38,7 +38,7 @@ void check(PetscErrorCode code) {
     return;
   const char* text = nullptr;
   PetscErrorMessage(code, &text, nullptr);
-  throw Error(std::string("PETSc failed in the quasi-static solver (") +
+  throw Error(std::string("PETSc failed to solve for an equilibrium (") +
               (text != nullptr ? text : "unknown reason") +
               "); choose another 'Quasi-static/Linear algebra'.");
 }

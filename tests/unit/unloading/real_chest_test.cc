@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 
 #include "prosup/image/body_labels.h"
 #include "prosup/mechanics/laws/material.h"
+#include "prosup/mechanics/static/unloaded_response.h"
 #include "prosup/mesh/distributed.h"
 #include "prosup/mesh/mask_mesher.h"
 #include "prosup/unloading/support_parameters.h"
@@ -30,6 +32,11 @@ using Relief = std::function<double(double x)>;
 
 double flat(double) {
   return 0.;
+}
+
+/// As a thorax is, less steep to the left.
+double curved(double x) {
+  return -x * x / (x > 0. ? 150. : 100.);
 }
 
 /// A pectoral muscle that ends in a sharp edge.
@@ -57,6 +64,13 @@ LabelImage breast(const Relief& relief, double thickness = 1000.) {
   return labels;
 }
 
+double largest_difference(const mechanics::NodeVector& a, const mechanics::NodeVector& b) {
+  double largest = 0.;
+  for (unsigned i = 0; i < a.locally_owned_size(); ++i)
+    largest = std::max(largest, std::abs(a.local_element(i) - b.local_element(i)));
+  return Utilities::MPI::max(largest, MPI_COMM_WORLD);
+}
+
 class HungBreast {
 public:
   explicit HungBreast(const LabelImage& labels)
@@ -77,7 +91,7 @@ public:
   mechanics::NodeVector unload(ChestCondition chest, double bed, settling::SettlingResult& result,
                                const Tensor<1, 3>& gravity = prone) {
     const auto held = supports(chest);
-    held->set_springs_on(types::boundary_id(mesh::BoundaryPart::chest_wall), bed);
+    held->set_springs_on(chest_wall, bed);
     unloading::Unloading unloading(unloading_, *held, gravity);
     unloading.set_material({mechanics::lame_parameters(300., 0.4)});
     result = unloading.run();
@@ -85,7 +99,34 @@ public:
     return unloading.unloaded();
   }
 
+  /// Changes a settled breast a little and lets it settle again. Returns how far nodes have then
+  /// moved, and how far from there mechanics::UnloadedResponse saw them, mm.
+  using Change = std::function<void(mechanics::Supports&, unloading::Unloading&)>;
+  std::array<double, 2> motion_and_error(const Change& change) {
+    const auto held = supports(ChestCondition::sliding);
+    held->set_springs_on(chest_wall, 4.);
+    unloading_.residual_tolerance = 1e-5;
+    unloading_.position_tolerance = 1e-4;
+    unloading::Unloading unloading(unloading_, *held, prone);
+    const mechanics::Material material({mechanics::lame_parameters(300., 0.45)});
+    unloading.set_material(material);
+    EXPECT_TRUE(unloading.run().converged);
+    const mechanics::NodeVector before = unloading.unloaded();
+    const mechanics::UnloadedResponse response(*held, material, unloading.body_force(), before);
+    mechanics::NodeVector force = unloading.out_of_balance();
+    force *= -1.;
+    change(*held, unloading);
+    force += unloading.out_of_balance();
+    mechanics::NodeVector foreseen = before;
+    foreseen += response.to(force);
+    EXPECT_TRUE(unloading.run().converged);
+    return {largest_difference(unloading.unloaded(), before),
+            largest_difference(unloading.unloaded(), foreseen)};
+  }
+
 private:
+  static constexpr auto chest_wall = types::boundary_id(mesh::BoundaryPart::chest_wall);
+
   const mesh::MaskMesher& mesher() {
     mesher_.edge_length = 9.;
     return mesher_;
@@ -99,13 +140,6 @@ private:
   std::unique_ptr<parallel::fullydistributed::Triangulation<3>> mesh_;
   mechanics::Body body_;
 };
-
-double largest_difference(const mechanics::NodeVector& a, const mechanics::NodeVector& b) {
-  double largest = 0.;
-  for (unsigned i = 0; i < a.locally_owned_size(); ++i)
-    largest = std::max(largest, std::abs(a.local_element(i) - b.local_element(i)));
-  return Utilities::MPI::max(largest, MPI_COMM_WORLD);
-}
 
 TEST(RealChest, HoldsNothingWhereItIsSmooth) {
   EXPECT_EQ(HungBreast(breast(flat)).n_fixed(), 0u);
@@ -163,6 +197,28 @@ TEST(RealChest, SlidingTendsToFixedAsTheBedStiffens) {
     before = difference;
   }
   EXPECT_LT(before, 0.1);
+}
+
+// The derivatives of the search of properties. What is left over is of second order.
+TEST(RealChest, UnloadedShapeFollowsMaterialBedAndGravity) {
+  constexpr auto chest_wall = types::boundary_id(mesh::BoundaryPart::chest_wall);
+  const std::vector<HungBreast::Change> changes{
+      [](mechanics::Supports&, unloading::Unloading& unloading) {
+        unloading.set_material({mechanics::lame_parameters(310., 0.452)});
+      },
+      [&](mechanics::Supports& supports, unloading::Unloading& unloading) {
+        supports.set_springs_on(chest_wall, 4.2, 0.9);
+        unloading.set_material({mechanics::lame_parameters(300., 0.45)}); // takes the springs over
+      },
+      [](mechanics::Supports&, unloading::Unloading& unloading) {
+        unloading.set_gravity_direction(Tensor<1, 3>({0.02, -1., 0.01}));
+      }};
+  HungBreast breast_on_thorax(breast(curved));
+  for (const HungBreast::Change& change : changes) {
+    const auto [motion, error] = breast_on_thorax.motion_and_error(change);
+    EXPECT_GT(motion, 0.05);
+    EXPECT_LT(error, 0.06 * motion);
+  }
 }
 
 } // namespace

@@ -64,6 +64,9 @@ public:
   /// `correction` is that of ContactMethod::gradual.
   void set_method(ContactMethod method, const GradualCorrection& correction);
 
+  /// Whether all nodes are kept on their surfaces in both configurations.
+  bool ties_exactly() const;
+
   const std::vector<Contact>& surfaces() const { return contacts_; }
   const std::vector<Node>& nodes() const { return nodes_; }
 

@@ -11,9 +11,9 @@ namespace prosup::mechanics {
 /// Everything that holds a body: boundaries that do not move, surfaces along which nodes slide,
 /// and springs
 ///   f_a = -A_a k (x_a - X_a),
-/// with the area A_a lumped to the node in the unloaded configuration and k in Pa/mm. Fixed nodes
-/// neither slide nor feel springs. All functions are collective on the communicator of the body
-/// unless they are said to be local.
+/// with the area A_a lumped to the node in the unloaded configuration and k in Pa/mm, which may
+/// differ from face to face. Fixed nodes neither slide nor feel springs. All functions are
+/// collective on the communicator of the body unless they are said to be local.
 class Supports {
 public:
   /// The nodes of the boundaries `fixed` do not move.
@@ -29,9 +29,12 @@ public:
                 double least_alignment = 0.);
   /// Adds springs of `stiffness` (Pa/mm) to these boundaries; with a filter, to faces that pass it.
   void add_springs(const BoundaryIds& ids, double stiffness, const FaceFilter& counts = {});
-  /// Changes the stiffness (Pa/mm) of all springs on this boundary, from the next
-  /// set_reference() on. Local.
-  void set_springs_on(dealii::types::boundary_id id, double stiffness);
+  /// Gives each face with springs on this boundary an exponent, 0 without it, for
+  /// set_springs_on(). Local.
+  void grade_springs_on(dealii::types::boundary_id id, const FaceValue& exponent);
+  /// Changes the stiffness of all springs on this boundary to k ratio^s, with k in Pa/mm and the
+  /// exponent s of each face, from the next set_reference() on. Local.
+  void set_springs_on(dealii::types::boundary_id id, double stiffness, double ratio = 1.);
 
   const Body& body() const { return body_; }
   /// Whether each local node is fixed. Local.
@@ -45,6 +48,13 @@ public:
   void set_reference(const NodeVector& unloaded);
   /// A_a k of the springs at each local node, g/s^2; empty without springs. Local.
   const std::vector<double>& spring_stiffness() const { return spring_stiffness_; }
+  /// A face of Body::boundary_faces() with springs of this stiffness, Pa/mm.
+  struct SpringFace {
+    std::size_t face;
+    double stiffness;
+  };
+  /// All faces with springs; some may occur twice. Local.
+  std::vector<SpringFace> spring_faces() const;
   /// Adds the forces of the springs at owned nodes. Local.
   void add_spring_forces(const NodeVector& displacement, NodeVector& force) const;
 
@@ -56,7 +66,11 @@ private:
   struct Springs {
     BoundaryIds ids;
     std::vector<std::size_t> faces; ///< numbers in Body::boundary_faces()
-    double stiffness;               ///< Pa/mm
+    double stiffness;               ///< k, Pa/mm
+    double ratio = 1.;
+    std::vector<double> exponents; ///< of the faces; empty: 0
+
+    std::vector<double> weights() const; ///< ratio^exponent of the faces; empty: 1
   };
 
   const Body& body_;
