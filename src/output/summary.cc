@@ -41,6 +41,15 @@ void set_breast(Json& json, const char* name, const std::optional<BreastSummary>
   set(json["max_jacobian"], name, breast->max_jacobian);
 }
 
+void set(Json& json, const char* name, const std::optional<PreparationSummary>& scan) {
+  if (scan)
+    json["preparation"][name] = {{"contrast", scan->contrast},
+                                 {"fat_ml", scan->fat_volume},
+                                 {"gland_ml", scan->gland_volume},
+                                 {"weak_chest_edge", scan->weak_edge},
+                                 {"tissue_separation", scan->separation}};
+}
+
 void set(Json& json, const char* name, const std::optional<AlignmentSummary>& alignment) {
   if (!alignment)
     return;
@@ -81,6 +90,8 @@ Json as_json(const Summary& summary) {
     json["quality"] = as_json(*summary.quality);
   for (const Position position : both_positions)
     set_breast(json, name_of(position), summary.breasts[position]);
+  for (const Position position : both_positions)
+    set(json, name_of(position), summary.preparation[position]);
   set(json, "alignment", summary.alignment);
   set(json, "steps", summary.steps);
   set(json, "metric", summary.metric);

@@ -5,6 +5,8 @@
 
 #include "prosup/core/file_system.h"
 #include "prosup/core/text.h"
+#include "prosup/prepare/breast_region.h"
+#include "prosup/prepare/contrast.h"
 #include "prosup/registration/breast_model.h"
 #include "prosup/similarity/similarity_parameters.h"
 #include "prosup/unloading/support_parameters.h"
@@ -30,6 +32,13 @@ const std::vector<ParameterOption>& parameter_options() {
       {"--supine-gravity", "Case", "Supine gravity", "Direction of gravity, x,y,z (LPS)"},
       {"--chest", "Case", "Chest",
        "Motion on the chest wall: " + joined(unloading::chest_condition_names())},
+      {"--prone", "Scans", "Prone", "Prone scan: a file, or a folder of DICOM files", true},
+      {"--supine", "Scans", "Supine", "Supine scan: a file, or a folder of DICOM files", true},
+      {"--series", "Scans", "Series",
+       "Number of the series in a DICOM folder, or two: prone,supine"},
+      {"--side", "Preparation", "Side", "Breast to prepare: " + joined(prepare::side_names())},
+      {"--contrast", "Preparation", "Contrast",
+       "What the scans show: automatic, " + joined(prepare::contrast_names())},
       {"--state", "Case", "State", "Which breast to work on: prone or supine"},
       {"--method", "Simulation", "Method",
        "Numerical method: " + joined(registration::method_names())},

@@ -27,6 +27,7 @@ bool prepare(const ParameterOptions& options, AllParameters& parameters,
     parameters.case_files.resolve(folder, handler);
     parameters.single_state.resolve(folder, handler);
     parameters.comparison.resolve(folder, handler);
+    parameters.scans.resolve(folder, handler);
   });
   if (options.write_prm.empty())
     return true;
@@ -138,6 +139,8 @@ std::vector<Command> all_commands() {
           with_parameters("load",
                           "One unloaded mask (and image) or mesh to its loaded configuration",
                           one_breast, run_load, {true, true}),
+          with_parameters("prepare", "Scans to images and labels that register takes",
+                          {"--prone", "--supine", "--series", "--side", "--contrast"}, run_prepare),
           with_parameters("mesh", "One mask to a mesh, with a quality report",
                           all_of({labels, {"--state"}}), run_mesh),
           with_parameters("phantom", "Images of a numerical phantom, with their truth", gravity,

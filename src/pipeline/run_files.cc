@@ -57,6 +57,17 @@ Names of_phantom() {
   return names;
 }
 
+Names of_prepare() {
+  Names names{"case.prm"};
+  for (const Position position : both_positions) {
+    const std::string state = name_of(position);
+    for (const char* end : {".nii.gz", "_labels.nii.gz", "_gland.nii.gz", "_axial.png",
+                            "_sagittal.png", "_coronal.png"})
+      names.push_back(state + end);
+  }
+  return names;
+}
+
 } // namespace
 
 std::vector<fs::path> files_read(const AllParameters& parameters, const fs::path& parameter_file) {
@@ -67,6 +78,9 @@ std::vector<fs::path> files_read(const AllParameters& parameters, const fs::path
     for (const auto* kind : {&files.images, &files.labels, &files.excluded})
       for (const fs::path& part : image::files_of_image((*kind)[position]))
         all.push_back(part);
+  for (const Position position : both_positions)
+    for (const fs::path& part : image::files_of_image(parameters.scans.scans[position]))
+      all.push_back(part);
   return all;
 }
 
@@ -76,6 +90,8 @@ Names files_written(const std::string& command, const dealii::ParameterHandler& 
     names = of_register();
   else if (command == "phantom")
     names = of_phantom();
+  else if (command == "prepare")
+    names = of_prepare();
   else if (command == "mesh")
     names = mesh_of(parameters.get({"Case"}, "State"));
   else

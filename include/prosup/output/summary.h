@@ -45,6 +45,14 @@ struct AlignmentSummary {
   std::optional<std::array<double, 2>> information; ///< mutual, before and after, nats
 };
 
+/// What was found in a scan.
+struct PreparationSummary {
+  std::string contrast;                      ///< as the parameter
+  double fat_volume = 0., gland_volume = 0.; ///< ml
+  double weak_edge = 0.;  ///< share of the chest wall under the breasts with little contrast
+  double separation = 0.; ///< of fat and gland, in standard deviations
+};
+
 /// How far a registration can be trusted.
 struct QualitySummary {
   std::string verdict;              ///< good, doubtful or failed
@@ -58,6 +66,7 @@ struct Summary {
   std::string command;
   unsigned ranks = 1;
   PerPosition<std::optional<BreastSummary>> breasts;
+  PerPosition<std::optional<PreparationSummary>> preparation;
   std::optional<AlignmentSummary> alignment;
   std::optional<std::size_t> steps;  ///< explicit time steps of all stages
   std::optional<std::string> metric; ///< of the similarity

@@ -7,7 +7,9 @@
 #include "prosup/pipeline/checkpoint_parameters.h"
 #include "prosup/pipeline/comparison_parameters.h"
 #include "prosup/pipeline/result_parameters.h"
+#include "prosup/pipeline/scan_parameters.h"
 #include "prosup/pipeline/single_state_parameters.h"
+#include "prosup/prepare/preparation.h"
 #include "prosup/registration/registration.h"
 
 namespace prosup::pipeline {
@@ -23,6 +25,8 @@ struct AllParameters {
   CheckpointParameters checkpoint;
   phantom::PhantomParameters phantom;
   ComparisonParameters comparison;
+  ScanParameters scans;
+  prepare::Preparation preparation{registration.labels};
 
   const registration::BreastModel& model() const { return registration.model; }
 };

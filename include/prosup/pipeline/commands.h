@@ -39,6 +39,10 @@ bool run_unload(const AllParameters& parameters, const dealii::ParameterHandler&
 bool run_load(const AllParameters& parameters, const dealii::ParameterHandler& all,
               const ResultTarget& output, MPI_Comm world);
 
+/// `prosup prepare`: scans of one or both positions to images and labels that run_register() takes.
+bool run_prepare(const AllParameters& parameters, const dealii::ParameterHandler& all,
+                 const ResultTarget& output, MPI_Comm world);
+
 /// `prosup phantom`: images of a numerical phantom, with their truth.
 bool run_phantom(const AllParameters& parameters, const dealii::ParameterHandler& all,
                  const ResultTarget& output, MPI_Comm world);

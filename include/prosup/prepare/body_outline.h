@@ -1,0 +1,34 @@
+#ifndef PROSUP_PREPARE_BODY_OUTLINE_H
+#define PROSUP_PREPARE_BODY_OUTLINE_H
+
+#include "prosup/image/voxel_image.h"
+
+namespace prosup::prepare {
+
+/// The body in an image.
+struct Outline {
+  image::LabelImage body; ///< 1 in the body with all that it encloses, such as the lungs
+  double air = 0.;        ///< median intensity of the air in front of it
+  double threshold = 0.;  ///< intensity between noise and tissue
+};
+
+/// Tells the body from the air in front of it.
+///
+/// The threshold between noise and tissue is -500 HU in CT, and in MR that of Otsu (IEEE Trans.
+/// Syst. Man Cybern. 9, 1979) for the logarithm of the intensities, or a tenth of the largest
+/// intensity within 25 mm, if that is more, which keeps ghosts out. Air is what is seen from the
+/// front of the image (from anterior, -y) before the largest part above the threshold, and what can
+/// be reached from there through passages wider than 10 mm, 40 mm to the side at most; so lungs and
+/// heart belong to the body even if the image ends in them. In MR the skin then moves inward to
+/// where the intensity is half of the largest within 2 mm, the middle of a blurred edge whatever
+/// the sensitivity of the coil is there; ghosts that are darker than a quarter of the largest
+/// within 8 mm are air.
+/// @throws Error if there is no body or no air in front of it.
+Outline find_outline(const image::ScalarImage& image, bool is_ct);
+
+/// Whether the first index of axis 1 of the grid is the front (-y).
+bool front_is_first(const image::VoxelGrid& grid);
+
+} // namespace prosup::prepare
+
+#endif

@@ -1,0 +1,58 @@
+#ifndef PROSUP_PREPARE_CHEST_WALL_H
+#define PROSUP_PREPARE_CHEST_WALL_H
+
+#include <vector>
+
+#include "prosup/image/voxel_image.h"
+#include "prosup/prepare/trunk.h"
+
+namespace prosup::prepare {
+
+/// The front of the chest: of pectoral and serratus muscle, ribs and sternum.
+struct ChestWall {
+  TrunkSurface surface;
+  /// Contrast of fat against what lies behind, of each column: the difference of the logarithms of
+  /// the intensities (MR) or of HU/150, positive where it has the sign that is expected; `no_edge`
+  /// without a body.
+  std::vector<double> edge;
+  static constexpr double no_edge = -1e3;
+  double cost = 0.; ///< mean of what was minimised, per column with a body
+};
+
+/// What the chest wall is searched in.
+struct ChestImage {
+  const image::ScalarImage& image; ///< without bias
+  const image::LabelImage& body;
+  double air = 0.; ///< median intensity of air
+  bool is_ct = false;
+};
+
+/// Finds the chest wall as a surface r(theta, z) about the axis of the trunk.
+///
+/// Coarse, in columns of 1.5 degrees and 3 mm with levels of 1 mm, minimal_surface() of the costs
+///   C(r) = -c + m(0, 7) + m(7, 25)/2,  c = s (mean u in (r, r + 7) - mean u in (r - 7, r)),
+/// where u is the logarithm of the intensity (HU/150 in CT), s is +1 if fat is bright and -1 if it
+/// is dark, c is clamped to -0.3 ... 0.6, and m(a, b) is the mean of how far u is from the fat
+/// below the skin in (r + a, r + b), so that muscle, heart and lung cannot lie in front. Fat below
+/// the skin is the median (the 35th percentile where it is dark) of u at depths of 4 to 14 mm,
+/// smoothed over neighbouring columns. Tissue beyond a gap of air, such as a breast that hangs
+/// over, does not count. Then fine, in columns of 1 degree and 2 mm with levels of 0.5 mm within 8
+/// mm of the smoothed coarse surface, with means over 3 mm; that follows the edge.
+/// @throws Error if the body is nowhere thick enough for a chest.
+ChestWall find_chest_wall(const ChestImage& image, const TrunkAxis& axis, bool fat_is_bright);
+
+/// Whether fat is bright, from the cost of the coarse surface with either sign.
+struct FatSign {
+  bool is_bright = false;
+  double difference = 0.;                ///< cost if fat is dark minus cost if it is bright
+  static constexpr double middle = 0.43; ///< where either is as likely
+};
+
+/// Fat is bright if the cost with dark fat is more than `middle` above that with bright fat. The
+/// difference is not 0 in the middle, because muscle against lung has the sign of bright fat: it
+/// was 0.55 to 1.0 in images with bright fat and 0.2 to 0.3 in those with suppressed fat.
+FatSign find_fat_sign(const ChestImage& image, const TrunkAxis& axis);
+
+} // namespace prosup::prepare
+
+#endif
