@@ -30,7 +30,8 @@ constexpr double peak_radius = 2.; // mm
 constexpr double wide_radius = 8.; // mm
 constexpr double far_radius = 25.; // mm
 constexpr double wide_edge = 3.;   // mm, of the voxels for the wide peak
-constexpr double skin_depth = 12.; // mm
+constexpr double notch = 3.;       // mm, half of the width of what is closed
+constexpr double skin_depth = 4.;  // mm
 constexpr double gap = 5.;         // mm, of outlines with holes
 constexpr double undercut = 40.;   // mm
 constexpr float half = 0.5f, quarter = 0.25f, tenth = 0.1f;
@@ -91,6 +92,13 @@ LabelImage eroded(const LabelImage& mask, double radius) {
   erode->SetKernel(box(mask.grid, radius));
   erode->Update();
   return image::from_itk<std::uint8_t>(*erode->GetOutput(), mask.grid);
+}
+
+/// The mask with notches filled that are narrower than a box of `radius` mm.
+LabelImage closed(const LabelImage& mask, double radius) {
+  const LabelImage outside = image::select_labels(mask, {0});
+  const LabelImage dilated = image::select_labels(eroded(outside, radius), {0});
+  return eroded(dilated, radius);
 }
 
 /// The part of `open` that belongs to the air in front: what is seen from the front, and what lies
@@ -178,7 +186,7 @@ Outline find_outline(const ScalarImage& image, bool is_ct) {
     open = below_peaks(smooth);
     flood(air, open, skin_depth);
   }
-  const LabelImage body = image::largest_component(image::select_labels(air, {0}));
+  const LabelImage body = image::largest_component(closed(image::select_labels(air, {0}), notch));
   const auto n_body = std::count(body.values.begin(), body.values.end(), 1);
   if (n_body == 0 || std::size_t(n_body) == body.values.size())
     throw Error("No outline of a body is found, because the image has no air in front of it or "

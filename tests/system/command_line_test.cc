@@ -12,7 +12,7 @@ namespace prosup::tests {
 namespace {
 
 const std::vector<std::string> commands{"register", "unload",  "load", "mesh",
-                                        "phantom",  "compare", "map"};
+                                        "phantom",  "compare", "map",  "prepare"};
 
 std::vector<std::filesystem::path> shipped_parameter_files() {
   std::vector<std::filesystem::path> files;
@@ -56,6 +56,7 @@ TEST(Help, OfACommandListsWhatItTakesAndNothingElse) {
       {"mesh",
        {"--prone-image", "--supine-image", "--landmarks", "--prone-gravity", "--chest", "--method",
         "--similarity"}},
+      {"prepare", {all.begin(), all.end()}},
       {"compare", {}}};
   for (const auto& [command, absent] : not_taken) {
     const std::string help = run_prosup({command, "--help"}).out;
