@@ -49,10 +49,15 @@ private:
                                   : Region::fat;
   }
 
+  std::size_t pixel(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(plane_.width()) +
+           static_cast<std::size_t>(column);
+  }
+
   Region at(int column, int row) const {
     column = std::min(column, plane_.width() - 1);
     row = std::min(row, plane_.height() - 1);
-    return regions_[static_cast<std::size_t>(row * plane_.width() + column)];
+    return regions_[pixel(column, row)];
   }
 
   /// An outline lies between a pixel and the next one to the right or below.
@@ -66,7 +71,7 @@ private:
         return skin_yellow;
       return either(Region::chest) ? chest_green : gland_red;
     }
-    const float value = values_[static_cast<std::size_t>(row * plane_.width() + column)];
+    const float value = values_[pixel(column, row)];
     const auto level =
         static_cast<std::uint8_t>(std::isnan(value) ? 52l : std::lround(255.f * value));
     return {level, level, level};

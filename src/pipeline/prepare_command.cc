@@ -40,7 +40,7 @@ private:
       on_root(world_, [&] {
         prepared = all_.preparation.run(std::move(scan), run_.log());
         for (const std::string& doubt : prepared.confidence.doubts)
-          run_.remarks().add("In " + name + ", " + doubt);
+          run_.remarks().add(format("In %s, %s", name.c_str(), doubt.c_str()));
       });
     });
     run_.stage("Writing " + name, [&] { on_root(world_, [&] { write(position, prepared); }); });
@@ -83,8 +83,8 @@ private:
         continue;
       const std::string name = name_of(position);
       const std::string entry = position == Position::prone ? "Prone" : "Supine";
-      text += "  set " + entry + " image = " + name + ".nii.gz\n";
-      text += "  set " + entry + " labels = " + name + "_labels.nii.gz\n";
+      text += format("  set %s image = %s.nii.gz\n  set %s labels = %s_labels.nii.gz\n",
+                     entry.c_str(), name.c_str(), entry.c_str(), name.c_str());
     }
     if (scans.prone.empty())
       text += "  set State = supine\n";

@@ -1,6 +1,7 @@
 #include "breast_voxels.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "prosup/image/filters.h"
 #include "prosup/image/sampling.h"
@@ -40,7 +41,7 @@ SmoothField::SmoothField(const image::VoxelGrid& fine, double width) : width_(wi
   image::VoxelGrid coarse = fine;
   image::Point<3> first;
   for (unsigned d = 0; d < 3; ++d) {
-    block_[d] = std::max<std::size_t>(1, std::size_t(block_edge / fine.spacing[d] + 0.5));
+    block_[d] = std::size_t(std::max(1l, std::lround(block_edge / fine.spacing[d])));
     coarse.size[d] = (fine.size[d] + block_[d] - 1) / block_[d];
     coarse.spacing[d] = fine.spacing[d] * double(block_[d]);
     first[d] = 0.5 * (double(block_[d]) - 1.);

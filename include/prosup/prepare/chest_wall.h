@@ -49,8 +49,9 @@ struct FatSign {
 };
 
 /// Fat is bright if the cost with dark fat is more than `middle` above that with bright fat. The
-/// difference is not 0 in the middle, because muscle against lung has the sign of bright fat: it
-/// was 0.55 to 1.0 in images with bright fat and 0.2 to 0.3 in those with suppressed fat.
+/// difference is not 0 in the middle, because muscle against lung has the sign of bright fat. In
+/// trials before bias correction it was 0.55 to 1.0 in nine images with bright fat, and 0.2 to 0.3
+/// in three with suppressed fat.
 FatSign find_fat_sign(const ChestImage& image, const TrunkAxis& axis);
 
 } // namespace prosup::prepare
