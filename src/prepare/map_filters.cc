@@ -24,7 +24,7 @@ double quantile_of(std::vector<double>& values, double share) {
                values.end());
   if (values.empty())
     return unknown;
-  const auto at = values.begin() + std::ptrdiff_t(share * double(values.size() - 1) + 0.5);
+  const auto at = values.begin() + std::ptrdiff_t(std::lround(share * double(values.size() - 1)));
   std::nth_element(values.begin(), at, values.end());
   return *at;
 }

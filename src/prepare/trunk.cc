@@ -82,8 +82,9 @@ TrunkGrid trunk_grid(const TrunkAxis& axis, const image::VoxelGrid& image, doubl
   TrunkGrid grid;
   grid.axis = axis;
   grid.angle_step = angle_step;
-  grid.n_columns = 2 * static_cast<std::size_t>(std::floor(widest_angle / angle_step)) + 1;
-  grid.first_angle = -angle_step * double(grid.n_columns / 2);
+  const double n_on_a_side = std::floor(widest_angle / angle_step);
+  grid.n_columns = 2 * static_cast<std::size_t>(n_on_a_side) + 1;
+  grid.first_angle = -angle_step * n_on_a_side;
   grid.n_rows = static_cast<std::size_t>((high - low) / z_step) + 1;
   grid.z_step = z_step;
   grid.first_z = 0.5 * (low + high - z_step * double(grid.n_rows - 1));
