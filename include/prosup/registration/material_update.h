@@ -39,13 +39,13 @@ struct MaterialProgress {
 ///
 /// search: Gauss-Newton steps (Levenberg, Marquardt) in logarithms q of the chosen
 /// properties. With residuals r_v whose squares sum to twice the similarity, and
-/// their differences in trials that start from the present state and change one
-/// property each, dr/dq_i, a step solves
+/// their derivatives dr/dq_i, a step solves
 ///   sum_j (H_ij + gamma H_ii delta_ij) dq_j = -g_i,
 ///   H_ij = sum_v dr_v/dq_i dr_v/dq_j, g_i = sum_v r_v dr_v/dq_i,
-/// which finds all properties at once, however they depend on each other. After a step
-/// the derivatives are corrected by what it changed (Broyden) and found anew only
-/// where steps gain too little.
+/// which finds all properties at once, however they depend on each other.
+/// The derivatives follow from those of the unloaded positions by the implicit function theorem
+/// (mechanics::UnloadedResponse). Breasts without such are unloaded once for each property, and
+/// Broyden's update corrects the derivatives for two more steps.
 ///
 /// Images of different contrast are compared by their labelled tissues (Compared::tissues):
 /// residuals of mutual information and correlation say nothing about breasts that are far apart.

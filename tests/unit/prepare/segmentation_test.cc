@@ -6,6 +6,7 @@
 #include "prosup/core/parameters.h"
 #include "prosup/prepare/bias_field.h"
 #include "prosup/prepare/body_outline.h"
+#include "prosup/prepare/breast_region.h"
 #include "prosup/prepare/chest_wall.h"
 #include "prosup/prepare/preparation.h"
 #include "prosup/prepare/tissues.h"
@@ -184,7 +185,9 @@ TEST(Preparation, CutsOutOneBreast) {
 TEST(Preparation, RefusesABreastThatIsCutOff) {
   const SyntheticChest chest;
   const prepare::VoxelBox box{{0, 20, 0}, chest.image.grid.size};
-  expect_error([&] { PreparationOf({}).run(prepare::cropped(chest.image, box)); }, {});
+  prepare::require_whole_front(chest.labels);
+  expect_error([&] { prepare::require_whole_front(prepare::cropped(chest.labels, box)); },
+               {"front border", "cm^2"});
 }
 
 } // namespace

@@ -16,16 +16,16 @@ namespace prosup::mechanics {
 /// F by dF, X follows by
 ///   dX = (-dF/dX)^-1 dF,
 /// tangential to these surfaces at X. The matrix is not symmetric; GMRES
-/// with the multigrid method GAMG solves to 1 % of dF. With averaged pressure, of which each node
-/// couples all around it, multigrid is set up for the pressure of single elements. All functions
-/// are collective on the communicator of the body.
+/// with the multigrid method GAMG solves to 0.01 % of dF. With averaged pressure, of which each
+/// node couples all around it, multigrid is set up for the pressure of single elements. All
+/// functions are collective on the communicator of the body.
 class UnloadedResponse {
 public:
   /// Whether the supports of a body allow it: nodes that may lift off a surface, or approach it
   /// gradually, have no such matrix. Local.
   static bool applies_to(const Supports& supports);
 
-  /// At the unloaded positions `unloaded` (mm, with ghosts) of a body whose loaded positions are
+  /// At the unloaded positions `unloaded` (mm) of a body whose loaded positions are
   /// those of its mesh, with the stiffness that its supports have, and the body force (rho g,
   /// g/(mm^2 s^2)). @throws Error if PETSc fails.
   UnloadedResponse(const Supports& supports, const Material& material,
