@@ -25,8 +25,8 @@ public:
 
   /// Brings both breasts, unloaded with properties near these, closer to balance: a step of
   /// Newton's method with the matrix of the state in which this was made. Slow motions in which
-  /// explicit dynamics are taken for settled end here. Nothing is changed where elements would be
-  /// crushed.
+  /// explicit dynamics are taken for settled end here. A step that would crush elements, or
+  /// that leads away from balance, is not taken.
   void balance() const;
 
   /// Largest distance by which a node moves for a unit of this property, mm.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "searched_property.h"
@@ -58,35 +59,19 @@ public:
 
   /// Derivatives of the best state: exact, or by differences, one trial each.
   void linearize() {
+    std::optional<PropertyTrials::Linearization> exact;
     if (trials_.can_derive())
-      derivatives_ = trials_.derivatives(searched_);
-    else
+      exact = trials_.linearize(searched_);
+    if (exact) {
+      residuals_ = std::move(exact->residuals);
+      derivatives_ = std::move(exact->derivatives);
+    } else {
       derive_by_trials();
+    }
     is_exact_ = true;
     set_equations();
   }
 
-private:
-  void derive_by_trials() {
-    derivatives_.assign(searched_.size(), std::vector<float>(residuals_.size(), 0.f));
-    for (unsigned i = 0; i < searched_.size(); ++i) {
-      const SearchedProperty& property = *searched_[i];
-      MechanicalProperties moved = trials_.best();
-      const double q = property.get(moved), ahead = q + property.difference;
-      const bool is_inside = ahead >= property.low && ahead <= property.high;
-      const double difference = is_inside ? property.difference : -property.difference;
-      property.set(moved, q + difference);
-      if (trials_.unload(moved)) {
-        derivatives_[i] = trials_.residuals();
-        for (std::size_t v = 0; v < residuals_.size(); ++v)
-          derivatives_[i][v] =
-              static_cast<float>((derivatives_[i][v] - residuals_[v]) / difference);
-      }
-      trials_.return_to_best();
-    }
-  }
-
-public:
   /// Goes on from the present, better state, with derivatives that explain how the
   /// residuals changed on the way there (Broyden's update).
   void accept(double value) {
@@ -150,6 +135,25 @@ public:
   }
 
 private:
+  void derive_by_trials() {
+    derivatives_.assign(searched_.size(), std::vector<float>(residuals_.size(), 0.f));
+    for (unsigned i = 0; i < searched_.size(); ++i) {
+      const SearchedProperty& property = *searched_[i];
+      MechanicalProperties moved = trials_.best();
+      const double q = property.get(moved), ahead = q + property.difference;
+      const bool is_inside = ahead >= property.low && ahead <= property.high;
+      const double difference = is_inside ? property.difference : -property.difference;
+      property.set(moved, q + difference);
+      if (trials_.unload(moved)) {
+        derivatives_[i] = trials_.residuals();
+        for (std::size_t v = 0; v < residuals_.size(); ++v)
+          derivatives_[i][v] =
+              static_cast<float>((derivatives_[i][v] - residuals_[v]) / difference);
+      }
+      trials_.return_to_best();
+    }
+  }
+
   void set_equations() {
     const unsigned n = searched_.size();
     const auto product = [](const std::vector<float>& a, const std::vector<float>& b) {

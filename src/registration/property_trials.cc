@@ -77,30 +77,41 @@ bool PropertyTrials::unload(const MechanicalProperties& properties) {
   }
 }
 
-std::vector<std::vector<float>>
-PropertyTrials::derivatives(const std::vector<const SearchedProperty*>& searched) {
+std::optional<PropertyTrials::Linearization>
+PropertyTrials::linearize(const std::vector<const SearchedProperty*>& searched) {
   searched_ = searched;
-  response_.emplace(pair_, searched);
+  try {
+    response_.emplace(pair_, searched);
+  } catch (const Error& error) {
+    log_.line(std::string("  derivatives from trials: ") + error.what());
+    can_derive_ = false;
+    return_to_best();
+    return std::nullopt;
+  }
   pair_.save();
   progress_.best_value = comparison_.value();
-  const std::vector<float> before = residuals();
-  std::vector<std::vector<float>> result;
-  for (unsigned i = 0; i < searched.size(); ++i) {
-    const double motion = response_->largest_motion(i);
-    std::vector<double> change(searched.size(), 0.);
-    if (motion > 0.)
-      change[i] = std::copysign(
-          std::min(reach * comparison_.level() / motion, std::abs(searched[i]->difference)),
-          searched[i]->difference);
-    std::vector<float> derivative(before.size(), 0.f);
-    if (motion > 0. && response_->move(change) > 0.) {
-      derivative = residuals();
-      for (std::size_t v = 0; v < before.size(); ++v)
-        derivative[v] = static_cast<float>((derivative[v] - before[v]) / change[i]);
-    }
-    result.push_back(std::move(derivative));
-  }
+  Linearization result{residuals(), {}};
+  for (unsigned i = 0; i < searched.size(); ++i)
+    result.derivatives.push_back(derivative(i, result.residuals));
   return_to_best();
+  return result;
+}
+
+/// Of the residuals by one property, of which they are `before` at the best state.
+std::vector<float> PropertyTrials::derivative(unsigned property,
+                                              const std::vector<float>& before) const {
+  const double motion = response_->largest_motion(property);
+  if (!(motion > 0.))
+    return std::vector<float>(before.size(), 0.f);
+  const double longest = searched_[property]->difference;
+  std::vector<double> change(searched_.size(), 0.);
+  change[property] =
+      std::copysign(std::min(reach * comparison_.level() / motion, std::abs(longest)), longest);
+  if (!(response_->move(change) > 0.))
+    return std::vector<float>(before.size(), 0.f);
+  std::vector<float> result = residuals();
+  for (std::size_t v = 0; v < before.size(); ++v)
+    result[v] = static_cast<float>((result[v] - before[v]) / change[property]);
   return result;
 }
 

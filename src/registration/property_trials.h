@@ -34,10 +34,15 @@ public:
   /// The weight of MaterialUpdate's prior, beside the dissimilarity, of which `left` is error.
   double prior_weight(double left) const;
 
-  /// Derivatives of the residuals by these properties at the best state, which is the present one,
-  /// from that of the unloaded positions. The trials from this state then start where it leads.
-  std::vector<std::vector<float>> derivatives(const std::vector<const SearchedProperty*>& searched);
-  /// Whether there are such.
+  /// Brings the best state, which is the present one, closer to balance, and finds derivatives of
+  /// its residuals by these properties from those of the unloaded positions. The trials from this
+  /// state then start where they lead. Nothing if they cannot be found, now or further on.
+  struct Linearization {
+    std::vector<float> residuals;
+    std::vector<std::vector<float>> derivatives;
+  };
+  std::optional<Linearization> linearize(const std::vector<const SearchedProperty*>& searched);
+  /// Whether it finds some.
   bool can_derive() const { return can_derive_; }
 
   /// Unloads with these properties; false if no state was found.
@@ -51,6 +56,7 @@ public:
 private:
   std::string in_words(const MechanicalProperties& properties) const;
   void report(double value) const;
+  std::vector<float> derivative(unsigned property, const std::vector<float>& before) const;
   void move_towards(const MechanicalProperties& properties) const;
   double pair_volume() const; // mm^3
 
@@ -60,7 +66,7 @@ private:
   const Observer& observer_;
   MaterialProgress& progress_;
   const PropertiesOfPair has_;
-  const bool can_derive_;
+  bool can_derive_;
   bool converged_ = true;
   MechanicalProperties best_properties_;
   std::vector<const SearchedProperty*> searched_;

@@ -1,5 +1,6 @@
 #include "petsc_linear_algebra.h"
 
+#include <string>
 #include <vector>
 
 namespace prosup::mechanics::petsc {
@@ -16,14 +17,16 @@ OwnedVector make_vector(const Body& body) {
   return owned;
 }
 
-OwnedMatrix make_matrix(const Equilibrium& equations, bool with_products) {
+namespace {
+
+OwnedMatrix make_node_blocks(const Equilibrium& equations, MatType type, bool with_products) {
   const PetscInt n = static_cast<PetscInt>(equations.body().n_owned_nodes());
   Mat matrix = nullptr;
   check(MatCreate(equations.body().communicator(), &matrix));
   OwnedMatrix owned(matrix);
   check(MatSetSizes(matrix, 3 * n, 3 * n, PETSC_DETERMINE, PETSC_DETERMINE));
   check(MatSetBlockSize(matrix, 3));
-  check(MatSetType(matrix, MATAIJ));
+  check(MatSetType(matrix, type));
 
   PetscInt begin = 0;
   const OwnedVector layout = make_vector(equations.body());
@@ -43,7 +46,11 @@ OwnedMatrix make_matrix(const Equilibrium& equations, bool with_products) {
   return owned;
 }
 
-namespace {
+void set_gmres(KSP ksp) {
+  check(KSPSetType(ksp, KSPGMRES));
+  check(KSPGMRESSetRestart(ksp, linear_restart));
+  check(KSPSetPCSide(ksp, PC_RIGHT));
+}
 
 void set_multigrid(PC pc) {
   check(PCSetType(pc, PCGAMG));
@@ -59,6 +66,14 @@ void set_multigrid(PC pc) {
 
 } // namespace
 
+OwnedMatrix make_matrix(const Equilibrium& equations) {
+  return make_node_blocks(equations, MATAIJ, true);
+}
+
+OwnedMatrix make_sparse_matrix(const Equilibrium& equations) {
+  return make_node_blocks(equations, MATBAIJ, false);
+}
+
 void set_linear_solver(KSP ksp, LinearSolver solver) {
   PC pc = nullptr;
   check(KSPGetPC(ksp, &pc));
@@ -68,11 +83,24 @@ void set_linear_solver(KSP ksp, LinearSolver solver) {
     check(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
     return;
   }
-  check(KSPSetType(ksp, KSPGMRES));
-  check(KSPGMRESSetRestart(ksp, linear_restart));
-  check(KSPSetPCSide(ksp, PC_RIGHT));
+  set_gmres(ksp);
   check(KSPSetTolerances(ksp, linear_tolerance, 1e-50, 1e10, max_linear_iterations));
   set_multigrid(pc);
+}
+
+void set_gauss_seidel_multigrid(KSP ksp) {
+  // GAMG takes its smoothers from options only.
+  const std::string prefix = "prosup_sweeps_", levels = "-" + prefix + "mg_levels_";
+  check(PetscOptionsSetValue(nullptr, (levels + "ksp_type").c_str(), "richardson"));
+  check(PetscOptionsSetValue(nullptr, (levels + "ksp_max_it").c_str(), "1"));
+  check(PetscOptionsSetValue(nullptr, (levels + "pc_type").c_str(), "sor"));
+  check(KSPSetOptionsPrefix(ksp, prefix.c_str()));
+  set_gmres(ksp);
+  PC pc = nullptr;
+  check(KSPGetPC(ksp, &pc));
+  set_multigrid(pc);
+  check(PCGAMGSetAggressiveLevels(pc, 0));
+  check(PCSetUseAmat(pc, PETSC_FALSE));
 }
 
 } // namespace prosup::mechanics::petsc

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <vector>
 
 #include "petsc_linear_algebra.h"
 #include "prosup/core/error.h"
+#include "prosup/core/log.h"
 
 namespace prosup::mechanics {
 
@@ -17,9 +17,6 @@ namespace {
 using petsc::check;
 using petsc::OwnedMatrix;
 using petsc::OwnedVector;
-
-constexpr double tolerance = 1e-4; // of the residual: looser ones depend on the number of ranks
-constexpr unsigned most_iterations = 200;
 
 /// For each local node, what is left of its three equations of balance, and what takes the place
 /// of the others: t F + c dX = 0.
@@ -136,20 +133,50 @@ struct UnloadedResponse::Implementation {
     solution_ = petsc::make_vector(body_);
     right_side_ = petsc::make_vector(body_);
     forces_ = petsc::make_vector(body_);
-    sparse_ = petsc::make_matrix(balance, false);
+    sparse_ = petsc::make_sparse_matrix(balance);
     std::vector<Product> products;
     assemble(sparse_, balance, products);
     set_products(products);
     if (averages_) {
       balance.take_local_pressure();
-      local_ = petsc::make_matrix(balance, false);
-      assemble(local_, balance, products);
+      const OwnedMatrix local = petsc::make_sparse_matrix(balance);
+      assemble(local, balance, products);
+      create_solver(local);
+    } else {
+      create_solver(sparse_);
     }
-    create_solver();
   }
 
-  NodeVector to(const NodeVector& force) const {
+  NodeVector to(const NodeVector& force, double tolerance) const {
     const petsc::QuietErrors quiet;
+    set_right_side(force);
+    check(KSPSetTolerances(solver_.get(), tolerance, 1e-50, 1e10, max_linear_iterations));
+    check(KSPSolve(solver_.get(), right_side_.get(), solution_.get()));
+    KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
+    check(KSPGetConvergedReason(solver_.get(), &reason));
+    if (reason < 0)
+      throw Error(format("GMRES did not find in %u iterations how the unloaded shape follows.",
+                         max_linear_iterations));
+    NodeVector result;
+    body_.initialize(result);
+    const PetscScalar* found = nullptr;
+    check(VecGetArrayRead(solution_.get(), &found));
+    std::copy_n(found, 3 * body_.n_owned_nodes(), result.begin());
+    check(VecRestoreArrayRead(solution_.get(), &found));
+    result.update_ghost_values();
+    return result;
+  }
+
+  double imbalance(const NodeVector& force) const {
+    const petsc::QuietErrors quiet;
+    set_right_side(force);
+    PetscReal norm = 0.;
+    check(VecNorm(right_side_.get(), NORM_2, &norm));
+    return norm;
+  }
+
+private:
+  void set_right_side(const NodeVector& force) const {
     PetscScalar* values = nullptr;
     check(VecGetArray(right_side_.get(), &values));
     std::copy_n(force.begin(), 3 * body_.n_owned_nodes(), values);
@@ -158,20 +185,8 @@ struct UnloadedResponse::Implementation {
       if (supports_.fixed()[node])
         std::fill_n(values + 3 * node, 3, 0.);
     check(VecRestoreArray(right_side_.get(), &values));
-    check(KSPSolve(solver_.get(), right_side_.get(), solution_.get()));
-    NodeVector result;
-    body_.initialize(result);
-    const PetscScalar* found = nullptr;
-    check(VecGetArrayRead(solution_.get(), &found));
-    std::copy_n(found, 3 * body_.n_owned_nodes(), result.begin());
-    check(VecRestoreArrayRead(solution_.get(), &found));
-    if (!std::isfinite(result.l2_norm()))
-      throw Error("The equations of the response of the unloaded shape have no finite solution.");
-    result.update_ghost_values();
-    return result;
   }
 
-private:
   struct Product {
     std::vector<int> nodes;
     std::vector<Tensor<1, 3>> u, w;
@@ -318,7 +333,8 @@ private:
     }
   }
 
-  void create_solver() {
+  /// With a matrix that couples neighbours only for multigrid.
+  void create_solver(const OwnedMatrix& local) {
     KSP solver = nullptr;
     check(KSPCreate(body_.communicator(), &solver));
     solver_.reset(solver);
@@ -331,10 +347,12 @@ private:
       check(MatShellSetOperation(shell, MATOP_MULT,
                                  reinterpret_cast<void (*)()>(&Implementation::multiply)));
     }
-    check(KSPSetOperators(solver, averages_ ? whole_.get() : sparse_.get(),
-                          averages_ ? local_.get() : sparse_.get()));
-    petsc::set_linear_solver(solver, LinearSolver::multigrid);
-    check(KSPSetTolerances(solver, tolerance, 1e-50, 1e10, most_iterations));
+    Mat multigrid = nullptr;
+    check(MatConvert(local.get(), MATAIJ, MAT_INITIAL_MATRIX, &multigrid));
+    multigrid_.reset(multigrid);
+    check(MatSetBlockSize(multigrid, 3));
+    check(KSPSetOperators(solver, averages_ ? whole_.get() : sparse_.get(), multigrid));
+    petsc::set_gauss_seidel_multigrid(solver);
     check(KSPSetUp(solver));
   }
 
@@ -346,7 +364,7 @@ private:
   std::vector<double> projected_;
   bool averages_ = false;
   OwnedMatrix sparse_, volumes_, pressures_; // S, V, Q
-  OwnedMatrix local_;                        // like the whole, but couples neighbours only
+  OwnedMatrix multigrid_;                    // like the whole, but couples neighbours only
   OwnedMatrix whole_;                        // S + t V^T Q
   OwnedVector solution_, right_side_, at_nodes_, forces_;
   petsc::Owned<KSP, KSPDestroy> solver_;
@@ -362,8 +380,12 @@ UnloadedResponse::UnloadedResponse(const Supports& supports, const Material& mat
 
 UnloadedResponse::~UnloadedResponse() = default;
 
-NodeVector UnloadedResponse::to(const NodeVector& force) const {
-  return implementation_->to(force);
+NodeVector UnloadedResponse::to(const NodeVector& force, double tolerance) const {
+  return implementation_->to(force, tolerance);
+}
+
+double UnloadedResponse::imbalance(const NodeVector& force) const {
+  return implementation_->imbalance(force);
 }
 
 } // namespace prosup::mechanics

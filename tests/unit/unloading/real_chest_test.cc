@@ -118,7 +118,7 @@ public:
     change(*held, unloading);
     force += unloading.out_of_balance();
     mechanics::NodeVector foreseen = before;
-    foreseen += response.to(force);
+    foreseen += response.to(force, 1e-4);
     EXPECT_TRUE(unloading.run().converged);
     return {largest_difference(unloading.unloaded(), before),
             largest_difference(unloading.unloaded(), foreseen)};

@@ -15,10 +15,10 @@ namespace prosup::mechanics {
 /// is normal to the surfaces on which nodes slide at x, and 0 elsewhere. If something else changes
 /// F by dF, X follows by
 ///   dX = (-dF/dX)^-1 dF,
-/// tangential to these surfaces at X. The matrix is not symmetric; GMRES
-/// with the multigrid method GAMG solves to 0.01 % of dF. With averaged pressure, of which each
-/// node couples all around it, multigrid is set up for the pressure of single elements. All
-/// functions are collective on the communicator of the body.
+/// tangential to these surfaces at X. The matrix is not symmetric; GMRES with the multigrid method
+/// GAMG solves it. With averaged pressure, which couples each node to all around its neighbours,
+/// multigrid is set up for the pressure of single elements. All functions are collective on the
+/// communicator of the body.
 class UnloadedResponse {
 public:
   /// Whether the supports of a body allow it: nodes that may lift off a surface, or approach it
@@ -32,9 +32,13 @@ public:
                    const dealii::Tensor<1, 3>& body_force, const NodeVector& unloaded);
   ~UnloadedResponse();
 
-  /// dX (mm, with ghosts) for dF = `force` (owned nodes, g mm/s^2).
-  /// @throws Error if it is not finite.
-  NodeVector to(const NodeVector& force) const;
+  /// dX (mm, with ghosts) for dF = `force` (owned nodes, g mm/s^2). The norm of what is left of
+  /// the equations is at most `tolerance` times that of dF.
+  /// @throws Error if GMRES does not converge.
+  NodeVector to(const NodeVector& force, double tolerance) const;
+
+  /// Norm of what of the force F (owned nodes) is out of balance, g mm/s^2.
+  double imbalance(const NodeVector& force) const;
 
 private:
   struct Implementation;
