@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "prosup/core/error.h"
+#include "prosup/core/quantile.h"
 #include "prosup/image/rigid_alignment.h"
 #include "prosup/image/sampling.h"
 
@@ -108,9 +110,7 @@ double median_distance(const std::vector<Residual>& residuals) {
   std::vector<double> distances;
   for (const Residual& residual : residuals)
     distances.push_back(std::abs(residual.r));
-  const auto middle = distances.begin() + long(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  return *middle;
+  return quantile(std::move(distances), 0.5);
 }
 
 RigidMotion as_motion(const Motion& m) {

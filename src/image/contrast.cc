@@ -1,9 +1,11 @@
 #include "prosup/image/contrast.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "prosup/core/error.h"
 #include "prosup/core/log.h"
+#include "prosup/core/quantile.h"
 #include "prosup/image/filters.h"
 
 namespace prosup::image {
@@ -47,9 +49,7 @@ float median_intensity(const ScalarImage& image, const LabelImage& labels, unsig
         format("The median intensity of label %u is needed, but the label image has no voxel "
                "of it; label this tissue, or give the right label.",
                label));
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  return quantile(std::move(values), 0.5);
 }
 
 ScalarImage convert_contrast(const ScalarImage& image, const LabelImage& labels,

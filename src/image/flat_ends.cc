@@ -2,6 +2,7 @@
 #include <array>
 
 #include "prosup/image/body_labels.h"
+#include "prosup/image/voxel_box.h"
 
 namespace prosup::image {
 
@@ -81,21 +82,13 @@ std::vector<FlatEnd> flat_ends(const LabelImage& labels, unsigned chest_label) {
 }
 
 LabelImage cropped_to(const LabelImage& labels, const std::vector<FlatEnd>& ends) {
-  std::array<std::size_t, 3> begin{0, 0, 0}, end = labels.grid.size;
+  VoxelBox box{{0, 0, 0}, labels.grid.size};
   for (const FlatEnd& flat : ends)
     if (flat.is_upper)
-      end[flat.axis] = std::min(end[flat.axis], flat.border);
+      box.end[flat.axis] = std::min(box.end[flat.axis], flat.border);
     else
-      begin[flat.axis] = std::max(begin[flat.axis], flat.border);
-  VoxelGrid grid = labels.grid;
-  grid.origin = labels.grid.physical(double(begin[0]), double(begin[1]), double(begin[2]));
-  for (unsigned d = 0; d < 3; ++d)
-    grid.size[d] = end[d] - begin[d];
-  LabelImage result(grid);
-  for (std::size_t k = 0; k < grid.size[2]; ++k)
-    for (std::size_t j = 0; j < grid.size[1]; ++j)
-      std::copy_n(&labels(begin[0], begin[1] + j, begin[2] + k), grid.size[0], &result(0, j, k));
-  return result;
+      box.begin[flat.axis] = std::max(box.begin[flat.axis], flat.border);
+  return part_of(labels, box);
 }
 
 } // namespace prosup::image

@@ -10,10 +10,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "flood.h"
 #include "image/itk_bridge.h"
 #include "prosup/core/error.h"
+#include "prosup/core/quantile.h"
 #include "prosup/image/filters.h"
 #include "prosup/image/sampling.h"
 
@@ -162,11 +164,7 @@ double median_of_air(const ScalarImage& image, const LabelImage& air) {
   for (std::size_t v = 0; v < air.values.size(); ++v)
     if (air.values[v] != 0 && image.values[v] != 0.f) // 0 is also padding
       values.push_back(image.values[v]);
-  if (values.empty())
-    return 0.;
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return double(*middle);
+  return double(quantile(std::move(values), 0.5));
 }
 
 } // namespace

@@ -1,7 +1,6 @@
 #include "prosup/prepare/breast_region.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "prosup/core/error.h"
 #include "prosup/core/log.h"
@@ -12,6 +11,7 @@ namespace prosup::prepare {
 namespace {
 
 using image::LabelImage;
+using image::VoxelBox;
 using image::VoxelGrid;
 
 /// Whether a column of tissue belongs to a breast.
@@ -24,13 +24,9 @@ bool is_on_side(const Point<3>& p, const TrunkAxis& axis, Side side) {
   return side == Side::both || (p[0] > axis.x) == (side == Side::left);
 }
 
-VoxelBox whole(const VoxelGrid& grid) {
-  return {{0, 0, 0}, grid.size};
-}
-
 /// The box of the voxels of a breast; empty if there are none.
 VoxelBox tight_box(const LabelImage& front, const TrunkSurface& chest, Side side) {
-  VoxelBox box{front.grid.size, {0, 0, 0}};
+  VoxelBox box;
   const auto& size = front.grid.size;
   for (std::size_t k = 0; k < size[2]; ++k)
     for (std::size_t j = 0; j < size[1]; ++j)
@@ -40,39 +36,16 @@ VoxelBox tight_box(const LabelImage& front, const TrunkSurface& chest, Side side
         const Point<3> p = front.grid.physical(double(i), double(j), double(k));
         if (!is_on_side(p, chest.grid.axis, side) || !is_breast(p, chest))
           continue;
-        const std::size_t at[3] = {i, j, k};
-        for (unsigned d = 0; d < 3; ++d) {
-          box.first[d] = std::min(box.first[d], at[d]);
-          box.end[d] = std::max(box.end[d], at[d] + 1);
-        }
+        box.include(i, j, k);
       }
   return box;
 }
 
 /// Adds the margin; behind, the image is kept to its border, for the chest.
-VoxelBox with_margin(VoxelBox box, const VoxelGrid& grid, double margin) {
-  for (unsigned d = 0; d < 3; ++d) {
-    const auto n = static_cast<std::size_t>(std::ceil(margin / grid.spacing[d]));
-    box.first[d] = box.first[d] > n ? box.first[d] - n : 0;
-    box.end[d] = std::min(box.end[d] + n, grid.size[d]);
-  }
-  (front_is_first(grid) ? box.end[1] : box.first[1]) = front_is_first(grid) ? grid.size[1] : 0;
+VoxelBox with_chest(const VoxelBox& tight, const VoxelGrid& grid, double margin) {
+  VoxelBox box = image::with_margin(tight, grid, margin);
+  (front_is_first(grid) ? box.end[1] : box.begin[1]) = front_is_first(grid) ? grid.size[1] : 0;
   return box;
-}
-
-template <typename T>
-image::VoxelImage<T> part_of(const image::VoxelImage<T>& image, const VoxelBox& box) {
-  VoxelGrid grid = image.grid;
-  grid.origin =
-      image.grid.physical(double(box.first[0]), double(box.first[1]), double(box.first[2]));
-  for (unsigned d = 0; d < 3; ++d)
-    grid.size[d] = box.end[d] - box.first[d];
-  image::VoxelImage<T> part(grid);
-  for (std::size_t k = 0; k < grid.size[2]; ++k)
-    for (std::size_t j = 0; j < grid.size[1]; ++j)
-      std::copy_n(&image(box.first[0], box.first[1] + j, box.first[2] + k), grid.size[0],
-                  &part(0, j, k));
-  return part;
 }
 
 } // namespace
@@ -84,7 +57,7 @@ const std::vector<std::string>& side_names() {
 
 VoxelBox breast_box(const LabelImage& front, const TrunkSurface& chest, Side side, double margin) {
   const VoxelBox box = tight_box(front, chest, side);
-  if (box.end[0] == 0)
+  if (box.is_empty())
     throw Error(
         format("No breast is found%s: nowhere is there more than %.0f mm of tissue in front "
                "of the chest; choose the other side, or give a scan that shows the breast.",
@@ -92,7 +65,8 @@ VoxelBox breast_box(const LabelImage& front, const TrunkSurface& chest, Side sid
                : side == Side::left ? " on the patient's left"
                                     : " on the patient's right",
                least_breast_thickness));
-  return side == Side::both ? whole(front.grid) : with_margin(box, front.grid, margin);
+  return side == Side::both ? VoxelBox{{0, 0, 0}, front.grid.size}
+                            : with_chest(box, front.grid, margin);
 }
 
 void require_whole_front(const LabelImage& front) {
@@ -108,14 +82,6 @@ void require_whole_front(const LabelImage& front) {
     throw Error(format("The breast is cut off by the front border of the image, where %.1f cm^2 of "
                        "tissue are; give a scan with the whole breast in its field of view.",
                        area / 100.));
-}
-
-image::ScalarImage cropped(const image::ScalarImage& image, const VoxelBox& box) {
-  return part_of(image, box);
-}
-
-LabelImage cropped(const LabelImage& image, const VoxelBox& box) {
-  return part_of(image, box);
 }
 
 } // namespace prosup::prepare

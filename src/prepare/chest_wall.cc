@@ -126,25 +126,25 @@ ChestWall refined(const ProfileSource& source, const CoarseWall& coarse, bool fa
         std::isnan(tissue.skin.values[column])
             ? ChestWall::no_edge
             : -double(contrast.values[column * contrast.n_levels + levels[column]]));
-  wall.cost = coarse.cost;
+  wall.fat.is_bright = fat_is_bright;
   return wall;
 }
 
 } // namespace
 
-FatSign find_fat_sign(const ChestImage& image, const TrunkAxis& axis) {
+ChestWall find_chest_wall(const ChestImage& image, const TrunkAxis& axis,
+                          std::optional<bool> fat_is_bright) {
   const image::ScalarImage working = image::resample_isotropic(image.image, working_edge);
   const ProfileSource source{working, image.body, image.air, image.is_ct};
-  FatSign sign;
-  sign.difference = find_coarse(source, axis, false).cost - find_coarse(source, axis, true).cost;
-  sign.is_bright = sign.difference > FatSign::middle;
-  return sign;
-}
-
-ChestWall find_chest_wall(const ChestImage& image, const TrunkAxis& axis, bool fat_is_bright) {
-  const image::ScalarImage working = image::resample_isotropic(image.image, working_edge);
-  const ProfileSource source{working, image.body, image.air, image.is_ct};
-  return refined(source, find_coarse(source, axis, fat_is_bright), fat_is_bright);
+  if (fat_is_bright)
+    return refined(source, find_coarse(source, axis, *fat_is_bright), *fat_is_bright);
+  const CoarseWall dark = find_coarse(source, axis, false),
+                   bright = find_coarse(source, axis, true);
+  const double difference = dark.cost - bright.cost;
+  const bool is_bright = difference > FatSign::middle;
+  ChestWall wall = refined(source, is_bright ? bright : dark, is_bright);
+  wall.fat = {is_bright, std::abs(difference - FatSign::middle) < FatSign::doubtful};
+  return wall;
 }
 
 } // namespace prosup::prepare

@@ -8,8 +8,10 @@
 #include <cstdlib>
 #include <map>
 #include <sstream>
+#include <utility>
 
 #include "prosup/core/log.h"
+#include "prosup/core/quantile.h"
 #include "prosup/core/text.h"
 
 namespace prosup::prepare {
@@ -101,9 +103,7 @@ double DicomSeries::slice_distance() const {
   std::vector<double> distances;
   for (std::size_t i = 1; i < single.size(); ++i)
     distances.push_back(single[i].height() - single[i - 1].height());
-  const auto middle = distances.begin() + std::ptrdiff_t(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  return *middle;
+  return quantile(std::move(distances), 0.5);
 }
 
 std::string DicomSeries::describe() const {

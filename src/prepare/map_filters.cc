@@ -1,8 +1,11 @@
 #include "map_filters.h"
 
+#include "prosup/core/quantile.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace prosup::prepare {
 
@@ -19,14 +22,10 @@ struct Window {
 
 } // namespace
 
-double quantile_of(std::vector<double>& values, double share) {
+double quantile_of(std::vector<double> values, double share) {
   values.erase(std::remove_if(values.begin(), values.end(), [](double v) { return std::isnan(v); }),
                values.end());
-  if (values.empty())
-    return unknown;
-  const auto at = values.begin() + std::ptrdiff_t(std::lround(share * double(values.size() - 1)));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
+  return values.empty() ? unknown : quantile(std::move(values), share);
 }
 
 ColumnMap median_filtered(const ColumnMap& map, std::size_t half_rows, std::size_t half_columns) {

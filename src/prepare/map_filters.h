@@ -23,9 +23,8 @@ struct ColumnMap {
   std::vector<double> values;
 };
 
-/// The value below which a `share` (0 to 1) of those lies that are known; `values` are reordered.
-/// No number if nothing is known.
-double quantile_of(std::vector<double>& values, double share);
+/// quantile() of those values that are known; no number if nothing is known.
+double quantile_of(std::vector<double> values, double share);
 
 /// Median of the known values in a window of 2 * half + 1 columns.
 ColumnMap median_filtered(const ColumnMap& map, std::size_t half_rows, std::size_t half_columns);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "prosup/core/error.h"
 #include "prosup/core/parameters.h"
@@ -61,18 +62,6 @@ LabelImage inner_breast(const LabelImage& parts, const TrunkAxis& axis, double s
   return inner;
 }
 
-void recognise_fat(const ChestImage& image, const TrunkAxis& axis, PreparedScan& result) {
-  constexpr double doubtful = 0.08; // around where either sign is as good
-  const FatSign sign = find_fat_sign(image, axis);
-  result.contrast = sign.is_bright ? Contrast::t1 : Contrast::t1_fat_suppressed;
-  result.confidence.fat_sign = sign.difference;
-  if (std::abs(sign.difference - FatSign::middle) < doubtful)
-    result.confidence.doubts.push_back(
-        std::string("it is not clear whether fat is bright or suppressed; it was taken as ") +
-        (sign.is_bright ? "bright" : "suppressed") +
-        ", and 'Preparation/Contrast' says which is right.");
-}
-
 /// Of the voxels with a label, ml.
 double volume(const LabelImage& labels, unsigned label) {
   const auto n = std::count(labels.values.begin(), labels.values.end(), label);
@@ -95,6 +84,11 @@ void judge(const ChestWall& wall, const Tissues& tissues, Confidence& confidence
   }
   confidence.weak_edge = n == 0 ? 1. : double(n_weak) / double(n);
   confidence.separation = tissues.separation();
+  if (wall.fat.is_doubtful)
+    confidence.doubts.push_back(
+        std::string("it is not clear whether fat is bright or suppressed; it was taken as ") +
+        (wall.fat.is_bright ? "bright" : "suppressed") +
+        ", and 'Preparation/Contrast' says which is right.");
   if (confidence.weak_edge > too_weak)
     confidence.doubts.push_back(format(
         "the chest wall has little contrast on %.0f %% of its front; look at the green line in "
@@ -154,22 +148,24 @@ PreparedScan Preparation::run(ScalarImage scan, const Log& log) const {
   log.progress("  chest wall");
   const TrunkAxis axis = find_trunk_axis(outline.body);
   const ChestImage chest_image{scan, outline.body, outline.air, is_ct};
-  if (contrast_ == "automatic" && !is_ct)
-    recognise_fat(chest_image, axis, result);
+  const bool is_told = is_ct || contrast_ != "automatic";
+  const ChestWall wall = find_chest_wall(
+      chest_image, axis, is_told ? std::optional(fat_is_bright(result.contrast)) : std::nullopt);
+  if (!is_told)
+    result.contrast = wall.fat.is_bright ? Contrast::t1 : Contrast::t1_fat_suppressed;
   log.line("  " + describe(result.contrast) +
            (contrast_ == "automatic" ? ", as recognised" : ", as given"));
-  const bool bright = fat_is_bright(result.contrast);
-  const ChestWall wall = find_chest_wall(chest_image, axis, bright);
   const LabelImage parts = front_and_chest(outline.body, wall.surface);
-  require_whole_front(image::select_labels(parts, {in_front_of_wall}));
+  const LabelImage front = image::select_labels(parts, {in_front_of_wall});
+  require_whole_front(front);
   log.progress("  fat and gland");
   const LabelImage inner = inner_breast(parts, axis, skin_);
-  const Tissues tissues = find_tissues({scan, inner, is_ct, bright});
-  const VoxelBox box = breast_box(image::select_labels(parts, {in_front_of_wall}), wall.surface,
-                                  enumerator<Side>(side_, side_names()), margin_);
-  result.labels = cropped(labels_of(parts, tissues.gland), box);
-  result.image = cropped(scan, box);
-  result.gland = cropped(tissues.fraction, box);
+  const Tissues tissues = find_tissues({scan, inner, is_ct, wall.fat.is_bright});
+  const image::VoxelBox box =
+      breast_box(front, wall.surface, enumerator<Side>(side_, side_names()), margin_);
+  result.labels = image::part_of(labels_of(parts, tissues.gland), box);
+  result.image = image::part_of(scan, box);
+  result.gland = image::part_of(tissues.fraction, box);
   result.fat_volume = volume(result.labels, labels_.fat());
   result.gland_volume = volume(result.labels, labels_.gland);
   judge(wall, tissues, result.confidence);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace prosup::prepare {
 
@@ -37,7 +38,7 @@ double fat_of(const Profiles& profiles, std::size_t row, std::size_t column, dou
     if (depth >= fat_from && depth <= fat_to && profiles.is_body[first + i] != 0)
       values.push_back(double(profiles.u[first + i]));
   }
-  return quantile_of(values, share);
+  return quantile_of(std::move(values), share);
 }
 
 /// The sums that the costs of one column are made of.
@@ -92,8 +93,7 @@ FrontTissue find_front_tissue(const Profiles& profiles, bool fat_is_bright) {
       // Gland, vessels and skin are brighter than suppressed fat.
       tissue.fat(r, c) = fat_of(profiles, r, c, tissue.skin(r, c), fat_is_bright ? 0.5 : 0.35);
     }
-  std::vector<double> all = tissue.fat.values;
-  const double typical = quantile_of(all, 0.5);
+  const double typical = quantile_of(tissue.fat.values, 0.5);
   tissue.fat = smoothed(median_filtered(tissue.fat, 4, 6), 3.);
   for (double& fat : tissue.fat.values)
     if (std::isnan(fat))

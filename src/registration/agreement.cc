@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "outlines.h"
+#include "prosup/core/quantile.h"
 #include "prosup/image/filters.h"
 #include "prosup/similarity/local_correlation.h"
 #include "prosup/similarity/mutual_information.h"

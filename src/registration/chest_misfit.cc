@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "outlines.h"
+#include "prosup/core/quantile.h"
 #include "prosup/image/sampling.h"
 #include "prosup/registration/agreement.h"
 

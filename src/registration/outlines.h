@@ -8,9 +8,6 @@
 
 namespace prosup::registration {
 
-/// The value below which `part` of the values lie; 0 if there are none.
-double quantile(std::vector<double> values, double part);
-
 /// Calls `visit(v, w)` for each pair of neighbours v < w of a grid, linear indices.
 template <typename Visit>
 void for_each_neighbours(const image::VoxelGrid& grid, Visit&& visit) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "outlines.h"
+#include "prosup/core/quantile.h"
 #include "prosup/image/sampling.h"
 
 namespace prosup::registration {

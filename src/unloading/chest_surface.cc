@@ -5,13 +5,13 @@
 
 #include "prosup/core/error.h"
 #include "prosup/image/filters.h"
+#include "prosup/image/voxel_box.h"
 
 namespace prosup::unloading {
 
 using namespace dealii;
 using image::LabelImage;
 using image::ScalarImage;
-using image::VoxelGrid;
 
 namespace {
 
@@ -20,7 +20,7 @@ constexpr unsigned n_layers = 8; // around the image, where the distance goes on
 /// The chest voxels of a part of the label image.
 LabelImage chest_mask(const LabelImage& labels, unsigned chest_label, const Point<3>& low,
                       const Point<3>& high, double margin) {
-  std::array<std::size_t, 3> begin = labels.grid.size, end{0, 0, 0};
+  image::VoxelBox box;
   for (unsigned corner = 0; corner < 8; ++corner) {
     Point<3> x;
     for (unsigned d = 0; d < 3; ++d)
@@ -28,21 +28,12 @@ LabelImage chest_mask(const LabelImage& labels, unsigned chest_label, const Poin
     const Point<3> index = labels.grid.continuous_index(x);
     for (unsigned d = 0; d < 3; ++d) {
       const double last = double(labels.grid.size[d]) - 1.;
-      begin[d] = std::min(begin[d], std::size_t(std::clamp(std::floor(index[d]), 0., last)));
-      end[d] = std::max(end[d], std::size_t(std::clamp(std::ceil(index[d]), 0., last)) + 1);
+      box.begin[d] =
+          std::min(box.begin[d], std::size_t(std::clamp(std::floor(index[d]), 0., last)));
+      box.end[d] = std::max(box.end[d], std::size_t(std::clamp(std::ceil(index[d]), 0., last)) + 1);
     }
   }
-  VoxelGrid grid = labels.grid;
-  grid.origin = labels.grid.physical(double(begin[0]), double(begin[1]), double(begin[2]));
-  for (unsigned d = 0; d < 3; ++d)
-    grid.size[d] = end[d] - begin[d];
-  LabelImage mask(grid);
-  std::size_t v = 0;
-  for (std::size_t k = begin[2]; k < end[2]; ++k)
-    for (std::size_t j = begin[1]; j < end[1]; ++j)
-      for (std::size_t i = begin[0]; i < end[0]; ++i)
-        mask.values[v++] = labels(i, j, k) == chest_label;
-  return mask;
+  return image::select_labels(image::part_of(labels, box), {chest_label});
 }
 
 ScalarImage smooth_distance(const LabelImage& mask, double sigma) {

@@ -12,7 +12,9 @@ namespace prosup::tests {
 class TemporaryFolder {
 public:
   TemporaryFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "prosup-test-XXXXXX").string();
+    const std::string replaced(6, 'X'); // by mkdtemp
+    std::string pattern =
+        (std::filesystem::temp_directory_path() / "prosup-test-").string() + replaced;
     if (mkdtemp(pattern.data()) == nullptr)
       throw std::runtime_error("cannot make a temporary folder");
     path_ = pattern;

@@ -1,12 +1,10 @@
 #ifndef PROSUP_PREPARE_BREAST_REGION_H
 #define PROSUP_PREPARE_BREAST_REGION_H
 
-#include <array>
-#include <cstddef>
 #include <string>
 #include <vector>
 
-#include "prosup/image/voxel_image.h"
+#include "prosup/image/voxel_box.h"
 #include "prosup/prepare/trunk.h"
 
 namespace prosup::prepare {
@@ -17,11 +15,6 @@ enum class Side { both, left, right };
 /// "both", "left", "right", in the order of the enumerators.
 const std::vector<std::string>& side_names();
 
-/// Voxels from `first` to before `end`, along each axis of a grid.
-struct VoxelBox {
-  std::array<std::size_t, 3> first{0, 0, 0}, end{0, 0, 0};
-};
-
 /// A breast is what stands out in front of the chest: columns of the trunk in which tissue is
 /// thicker than this, mm.
 inline constexpr double least_breast_thickness = 30.;
@@ -29,15 +22,12 @@ inline constexpr double least_breast_thickness = 30.;
 /// The box of one breast with `margin` mm around it, or the whole grid for both. `front` is not 0
 /// in the tissue in front of the chest. The patient's left and right meet at the axis of the trunk.
 /// @throws Error if there is no breast on that side.
-VoxelBox breast_box(const image::LabelImage& front, const TrunkSurface& chest, Side side,
-                    double margin);
+image::VoxelBox breast_box(const image::LabelImage& front, const TrunkSurface& chest, Side side,
+                           double margin);
 
 /// @throws Error if the breast is cut off by the front border of the image, which shows more than
 /// 4 cm^2 of tissue.
 void require_whole_front(const image::LabelImage& front);
-
-image::ScalarImage cropped(const image::ScalarImage& image, const VoxelBox& box);
-image::LabelImage cropped(const image::LabelImage& image, const VoxelBox& box);
 
 } // namespace prosup::prepare
 

@@ -1,12 +1,23 @@
 #ifndef PROSUP_PREPARE_CHEST_WALL_H
 #define PROSUP_PREPARE_CHEST_WALL_H
 
+#include <optional>
 #include <vector>
 
 #include "prosup/image/voxel_image.h"
 #include "prosup/prepare/trunk.h"
 
 namespace prosup::prepare {
+
+/// Whether fat is bright: if the coarse surface with dark fat costs more than `middle` above that
+/// with bright fat. The difference is not 0 in the middle, because muscle against lung has the sign
+/// of bright fat. In trials before bias correction it was 0.55 to 1.0 in nine images with bright
+/// fat, and 0.2 to 0.3 in three with suppressed fat.
+struct FatSign {
+  bool is_bright = false;
+  bool is_doubtful = false; ///< it was not told, and nearer to `middle` than `doubtful`
+  static constexpr double middle = 0.43, doubtful = 0.08;
+};
 
 /// The front of the chest: of pectoral and serratus muscle, ribs and sternum.
 struct ChestWall {
@@ -16,7 +27,7 @@ struct ChestWall {
   /// without a body.
   std::vector<double> edge;
   static constexpr double no_edge = -1e3;
-  double cost = 0.; ///< mean of what was minimised, per column with a body
+  FatSign fat; ///< as told, or as found
 };
 
 /// What the chest wall is searched in.
@@ -38,21 +49,10 @@ struct ChestImage {
 /// smoothed over neighbouring columns. Tissue beyond a gap of air, such as a breast that hangs
 /// over, does not count. Then fine, in columns of 1 degree and 2 mm with levels of 0.5 mm within 8
 /// mm of the smoothed coarse surface, with means over 3 mm; that follows the edge.
+/// If it is not told whether fat is bright, both are tried on the coarse level.
 /// @throws Error if the body is nowhere thick enough for a chest.
-ChestWall find_chest_wall(const ChestImage& image, const TrunkAxis& axis, bool fat_is_bright);
-
-/// Whether fat is bright, from the cost of the coarse surface with either sign.
-struct FatSign {
-  bool is_bright = false;
-  double difference = 0.;                ///< cost if fat is dark minus cost if it is bright
-  static constexpr double middle = 0.43; ///< where either is as likely
-};
-
-/// Fat is bright if the cost with dark fat is more than `middle` above that with bright fat. The
-/// difference is not 0 in the middle, because muscle against lung has the sign of bright fat. In
-/// trials before bias correction it was 0.55 to 1.0 in nine images with bright fat, and 0.2 to 0.3
-/// in three with suppressed fat.
-FatSign find_fat_sign(const ChestImage& image, const TrunkAxis& axis);
+ChestWall find_chest_wall(const ChestImage& image, const TrunkAxis& axis,
+                          std::optional<bool> fat_is_bright);
 
 } // namespace prosup::prepare
 

@@ -18,7 +18,6 @@ namespace prosup::prepare {
 struct Confidence {
   double weak_edge = 0.;  ///< share of the chest wall under the breasts with little contrast
   double separation = 0.; ///< of fat and gland, in standard deviations
-  double fat_sign = 0.;   ///< FatSign::difference; 0 if the contrast was given or is CT
   std::vector<std::string> doubts; ///< one sentence each
 };
 

@@ -97,7 +97,8 @@ TEST(ChestWall, IsFoundWithinAMillimetre) {
       }
     EXPECT_LT(sum / double(n), 1.); // mm; voxels are 2.5 mm
     if (!kind.is_ct) {
-      EXPECT_EQ(prepare::find_fat_sign(image, axis).is_bright, kind.fat_is_bright);
+      EXPECT_EQ(prepare::find_chest_wall(image, axis, std::nullopt).fat.is_bright,
+                kind.fat_is_bright);
     }
   }
 }
@@ -184,9 +185,9 @@ TEST(Preparation, CutsOutOneBreast) {
 
 TEST(Preparation, RefusesABreastThatIsCutOff) {
   const SyntheticChest chest;
-  const prepare::VoxelBox box{{0, 20, 0}, chest.image.grid.size};
+  const image::VoxelBox box{{0, 20, 0}, chest.image.grid.size};
   prepare::require_whole_front(chest.labels);
-  expect_error([&] { prepare::require_whole_front(prepare::cropped(chest.labels, box)); },
+  expect_error([&] { prepare::require_whole_front(image::part_of(chest.labels, box)); },
                {"front border", "cm^2"});
 }
 
