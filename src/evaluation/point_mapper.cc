@@ -6,7 +6,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "prosup/core/error.h"
@@ -69,8 +71,24 @@ constexpr unsigned max_iterations = 30;
 
 } // namespace
 
+/// The cells of a mesh, and the faces of its surface, which are listed when they are first needed.
+class PointMapper::Topology {
+public:
+  explicit Topology(TetLocator::Cells cells) : cells_(std::move(cells)) {}
+  const TetLocator::Cells& cells() const { return cells_; }
+  const std::vector<Face>& surface() const {
+    std::call_once(once_, [this] { surface_ = surface_faces(cells_); });
+    return surface_;
+  }
+
+private:
+  TetLocator::Cells cells_;
+  mutable std::once_flag once_;
+  mutable std::vector<Face> surface_;
+};
+
 /// The mesh in one configuration. Finds the tetrahedron that contains a point, or the closest
-/// triangle of the surface.
+/// triangle of the surface, each with a locator that is made when it is first needed.
 class PointMapper::PlacedMesh {
 public:
   /// A point outside the mesh, mapped to the other configuration.
@@ -81,30 +99,28 @@ public:
     double distance;
   };
 
-  PlacedMesh(const std::vector<Point<3>>& nodes, const TetLocator::Cells& cells,
-             const std::vector<Face>& surface)
-      : nodes_(nodes), cells_(cells), surface_(surface), cell_locator_(nodes, cells),
-        surface_locator_(nodes, surface) {}
+  PlacedMesh(const std::vector<Point<3>>& nodes, const Topology& topology)
+      : nodes_(nodes), topology_(topology) {}
 
   /// The position of `p` in `other`, or nothing if it is outside the mesh.
   std::optional<Point<3>> map_inside(const Point<3>& p, const PlacedMesh& other) const {
-    const auto hit = cell_locator_.find(p);
+    const auto hit = cell_locator().find(p);
     if (!hit)
       return {};
     Point<3> mapped = p;
     for (unsigned a = 0; a < 4; ++a)
-      mapped += hit->weights[a] * displacement(cells_[hit->cell][a], other);
+      mapped += hit->weights[a] * displacement(topology_.cells()[hit->cell][a], other);
     return mapped;
   }
 
   /// The position of `p` in `other` if it moves with the closest point of the surface. The
   /// search starts at `face`.
   Outside map_outside(const Point<3>& p, const PlacedMesh& other, std::size_t face = 0) const {
-    const SurfaceLocator::Hit hit = surface_locator_.closest(p, face);
+    const SurfaceLocator::Hit hit = surface_locator().closest(p, face);
     Outside mapped{p, Tensor<2, 3>(dealii::unit_symmetric_tensor<3>()), hit.face,
                    std::sqrt(hit.squared_distance)};
     for (unsigned a = 0; a < 3; ++a) {
-      const Tensor<1, 3> u = displacement(surface_[hit.face][a], other);
+      const Tensor<1, 3> u = displacement(topology_.surface()[hit.face][a], other);
       mapped.position += hit.weights[a] * u;
       mapped.gradient += dealii::outer_product(u, hit.gradients[a]);
     }
@@ -113,10 +129,11 @@ public:
 
   /// As PointMapper::place(), if this is the unloaded and `other` the loaded mesh.
   MeshPlace place(const Point<3>& p, const PlacedMesh& other) const {
-    if (const auto hit = cell_locator_.find(p))
-      return {cells_[hit->cell], hit->weights, gradient(cells_[hit->cell], other)};
-    const SurfaceLocator::Hit hit = surface_locator_.closest(p);
-    const Face& face = surface_[hit.face];
+    if (const auto hit = cell_locator().find(p))
+      return {topology_.cells()[hit->cell], hit->weights,
+              gradient(topology_.cells()[hit->cell], other)};
+    const SurfaceLocator::Hit hit = surface_locator().closest(p);
+    const Face& face = topology_.surface()[hit.face];
     return {{face[0], face[1], face[2], face[2]},
             {hit.weights[0], hit.weights[1], hit.weights[2], 0.},
             map_outside(p, other, hit.face).gradient};
@@ -139,19 +156,29 @@ private:
     return other.nodes_[node] - nodes_[node];
   }
 
+  const TetLocator& cell_locator() const {
+    std::call_once(cells_once_, [this] { cell_locator_.emplace(nodes_, topology_.cells()); });
+    return *cell_locator_;
+  }
+
+  const SurfaceLocator& surface_locator() const {
+    std::call_once(surface_once_,
+                   [this] { surface_locator_.emplace(nodes_, topology_.surface()); });
+    return *surface_locator_;
+  }
+
   std::vector<Point<3>> nodes_;
-  TetLocator::Cells cells_;
-  std::vector<Face> surface_;
-  TetLocator cell_locator_;
-  SurfaceLocator surface_locator_;
+  const Topology& topology_;
+  mutable std::once_flag cells_once_, surface_once_;
+  mutable std::optional<TetLocator> cell_locator_;
+  mutable std::optional<SurfaceLocator> surface_locator_;
 };
 
 PointMapper::PointMapper(const mesh::UnloadedMesh& mesh) {
   check(mesh);
-  const auto& cells = mesh.mesh.cells;
-  const std::vector<Face> surface = surface_faces(cells);
-  loaded_ = std::make_unique<PlacedMesh>(mesh.mesh.points, cells, surface);
-  unloaded_ = std::make_unique<PlacedMesh>(mesh.unloaded, cells, surface);
+  topology_ = std::make_unique<Topology>(mesh.mesh.cells);
+  loaded_ = std::make_unique<PlacedMesh>(mesh.mesh.points, *topology_);
+  unloaded_ = std::make_unique<PlacedMesh>(mesh.unloaded, *topology_);
 }
 
 PointMapper::~PointMapper() = default;

@@ -1,13 +1,14 @@
 #include "prosup/pipeline/landmark_evaluation.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
 
 #include "prosup/core/log.h"
 #include "prosup/core/text.h"
 #include "prosup/evaluation/landmarks_csv.h"
 #include "prosup/evaluation/point_mapper.h"
-#include "prosup/image/filters.h"
-#include "prosup/image/sampling.h"
 
 namespace prosup::pipeline {
 
@@ -20,12 +21,23 @@ constexpr double far_outside = 5.; // mm: more than masks and observers disagree
 constexpr std::size_t n_named = 3;
 constexpr double too_close = 2.; // mm: no three landmarks that are worth a registration
 
-/// The point between the voxel centres of `grid` that is nearest to `x`.
-Point<3> nearest_in(const image::VoxelGrid& grid, const Point<3>& x) {
-  Point<3> index = grid.continuous_index(x);
-  for (unsigned d = 0; d < 3; ++d)
-    index[d] = std::clamp(index[d], 0., double(grid.size[d]) - 1.);
-  return grid.physical(index[0], index[1], index[2]);
+/// Whether the centre of a voxel that is not 0 lies within `distance` mm of `x`.
+bool is_near(const image::LabelImage& mask, const Point<3>& x, double distance) {
+  const image::VoxelGrid& grid = mask.grid;
+  const Point<3> index = grid.continuous_index(x);
+  std::array<std::ptrdiff_t, 3> first, last;
+  for (unsigned d = 0; d < 3; ++d) {
+    const double reach = distance / grid.spacing[d], end = double(grid.size[d]) - 1.;
+    first[d] = std::ptrdiff_t(std::ceil(std::clamp(index[d] - reach, 0., end + 1.)));
+    last[d] = std::ptrdiff_t(std::floor(std::clamp(index[d] + reach, -1., end)));
+  }
+  for (auto k = first[2]; k <= last[2]; ++k)
+    for (auto j = first[1]; j <= last[1]; ++j)
+      for (auto i = first[0]; i <= last[0]; ++i)
+        if (mask(std::size_t(i), std::size_t(j), std::size_t(k)) != 0 &&
+            x.distance(grid.physical(double(i), double(j), double(k))) <= distance)
+          return true;
+  return false;
 }
 
 /// Says so if all landmarks lie in one place, as positions in metres that are read as mm do.
@@ -61,14 +73,10 @@ void LandmarkEvaluation::check_places(Position position, const image::LabelImage
   if (!has_landmarks() || std::all_of(breast.values.begin(), breast.values.end(), is_inside) ||
       std::none_of(breast.values.begin(), breast.values.end(), is_inside))
     return;
-  const image::ScalarImage distance = image::signed_distance(breast);
-  const image::Sampler sampler(distance);
   std::vector<std::string> outside;
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    const Point<3> nearest = nearest_in(breast.grid, positions[i]);
-    if (positions[i].distance(nearest) + std::max(0.f, sampler.value(nearest)) > far_outside)
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    if (!is_near(breast, positions[i], far_outside))
       outside.push_back("'" + shown(landmarks_[i].id) + "'");
-  }
   if (outside.empty())
     return;
   const std::size_t n_outside = outside.size();

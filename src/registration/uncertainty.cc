@@ -83,13 +83,12 @@ double distance_moved(const BreastPair& pair, const PerPosition<NodeVector>& sta
 
 /// The distance of each owned node from the closest node on a cut plane, mm.
 std::vector<double> distance_from_cut(const mechanics::Body& body, const NodeVector& unloaded) {
-  std::vector<Point<3>> mine, all;
+  std::vector<Point<3>> mine;
   const std::vector<bool> is_cut = nodes_on_boundary(body, {cut_plane});
   for (unsigned node = 0; node < body.n_owned_nodes(); ++node)
     if (is_cut[node])
       mine.emplace_back(node_value(unloaded, node));
-  for (const auto& points : Utilities::MPI::all_gather(body.communicator(), mine))
-    all.insert(all.end(), points.begin(), points.end());
+  const std::vector<Point<3>> all = all_gathered(mine, body.communicator());
   std::vector<double> distances;
   for (unsigned node = 0; node < body.n_owned_nodes(); ++node) {
     const Point<3> x(node_value(unloaded, node));

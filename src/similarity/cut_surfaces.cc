@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "prosup/core/collective.h"
 #include "prosup/mechanics/body/boundary.h"
 #include "prosup/mesh/tet_mesh.h"
 
@@ -39,18 +40,11 @@ std::vector<Point<3>> corners_at(const Body& body, const NodeVector& unloaded,
       body, {cut_plane}, [&](const Tensor<1, 3>& centre, const Tensor<1, 3>& normal) {
         return std::abs(normal * up) > aligned && centre * up > middle;
       });
-  std::vector<double> here;
-  for (const std::size_t face : faces)
-    for (unsigned v = 0; v < 3; ++v) {
-      const Tensor<1, 3> X = node_value(unloaded, body.boundary_faces()[face].nodes[v]);
-      for (unsigned c = 0; c < 3; ++c)
-        here.push_back(X[c]);
-    }
   std::vector<Point<3>> corners;
-  for (const std::vector<double>& part : Utilities::MPI::all_gather(body.communicator(), here))
-    for (std::size_t i = 0; i < part.size(); i += 3)
-      corners.emplace_back(part[i], part[i + 1], part[i + 2]);
-  return corners;
+  for (const std::size_t face : faces)
+    for (unsigned v = 0; v < 3; ++v)
+      corners.emplace_back(node_value(unloaded, body.boundary_faces()[face].nodes[v]));
+  return all_gathered(corners, body.communicator());
 }
 
 } // namespace

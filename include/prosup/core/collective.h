@@ -43,6 +43,28 @@ void transfer(std::vector<T>& values, int from, int to, MPI_Comm communicator) {
   }
 }
 
+/// The values of all ranks, one rank after the other, on every rank. T is a trivially copyable type
+/// without pointers. (dealii::Utilities::MPI::all_gather compresses them, which takes longer than
+/// sending.) Collective.
+template <typename T>
+std::vector<T> all_gathered(const std::vector<T>& values, MPI_Comm communicator) {
+  int n_ranks = 1;
+  MPI_Comm_size(communicator, &n_ranks);
+  const int n = static_cast<int>(values.size());
+  std::vector<int> sizes(static_cast<std::size_t>(n_ranks)), begins(sizes.size(), 0);
+  MPI_Allgather(&n, 1, MPI_INT, sizes.data(), 1, MPI_INT, communicator);
+  for (std::size_t rank = 1; rank < sizes.size(); ++rank)
+    begins[rank] = begins[rank - 1] + sizes[rank - 1];
+  std::vector<T> all(static_cast<std::size_t>(begins.back() + sizes.back()));
+  MPI_Datatype type = MPI_DATATYPE_NULL;
+  MPI_Type_contiguous(sizeof(T), MPI_BYTE, &type);
+  MPI_Type_commit(&type);
+  MPI_Allgatherv(values.data(), n, type, all.data(), sizes.data(), begins.data(), type,
+                 communicator);
+  MPI_Type_free(&type);
+  return all;
+}
+
 } // namespace prosup
 
 #endif

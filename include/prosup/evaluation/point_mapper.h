@@ -70,12 +70,14 @@ public:
   }
 
 private:
+  class Topology;
   class PlacedMesh;
 
   /// Solves X + u(c(X)) = loaded for X near `guess`, by Newton's method where it converges.
   /// `face` is a face of the surface near c.
   Point<3> inverse_outside(const Point<3>& loaded, const Point<3>& guess, std::size_t face) const;
 
+  std::unique_ptr<Topology> topology_;
   std::unique_ptr<PlacedMesh> loaded_, unloaded_;
 };
 

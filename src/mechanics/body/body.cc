@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "prosup/core/collective.h"
 #include "prosup/core/error.h"
 #include "prosup/core/tet_topology.h"
 
@@ -138,24 +139,23 @@ void Body::initialize(NodeVector& vector) const {
 }
 
 std::vector<std::array<Point<3>, 4>> Body::gather_at_cells(const NodeVector& vector) const {
-  using CellValues = std::pair<std::vector<unsigned>, std::vector<double>>;
-  CellValues mine{cell_ids_, {}};
-  mine.second.reserve(12 * cells_.size());
-  for (const auto& corners : cells_)
-    for (const unsigned node : corners)
-      for (unsigned c = 0; c < 3; ++c)
-        mine.second.push_back(vector.local_element(3 * node + c));
+  std::vector<std::array<Point<3>, 4>> part(cells_.size());
+  for (std::size_t i = 0; i < cells_.size(); ++i)
+    for (unsigned v = 0; v < 4; ++v)
+      part[i][v] = Point<3>(node_value(vector, cells_[i][v]));
 
-  std::vector<std::array<Point<3>, 4>> values;
-  const std::vector<CellValues> parts = Utilities::MPI::gather(communicator_, mine);
-  if (Utilities::MPI::this_mpi_process(communicator_) != 0)
-    return values;
-  values.resize(n_global_cells());
-  for (const auto& [ids, numbers] : parts)
-    for (std::size_t i = 0; i < ids.size(); ++i)
-      for (unsigned v = 0; v < 4; ++v)
-        values[ids[i]][v] = Point<3>(numbers[12 * i + 3 * v], numbers[12 * i + 3 * v + 1],
-                                     numbers[12 * i + 3 * v + 2]);
+  const int rank = static_cast<int>(Utilities::MPI::this_mpi_process(communicator_)),
+            n_ranks = static_cast<int>(Utilities::MPI::n_mpi_processes(communicator_));
+  std::vector<std::array<Point<3>, 4>> values(rank == 0 ? n_global_cells() : 0);
+  std::vector<unsigned> ids = cell_ids_;
+  for (int from = 0; from < n_ranks; ++from) {
+    if (rank == 0 || rank == from) {
+      transfer(ids, from, 0, communicator_);
+      transfer(part, from, 0, communicator_);
+    }
+    for (std::size_t i = 0; rank == 0 && i < ids.size(); ++i)
+      values[ids[i]] = part[i];
+  }
   return values;
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "prosup/core/collective.h"
+
 namespace prosup::mechanics {
 
 using namespace dealii;
@@ -13,10 +15,8 @@ namespace {
 
 /// The value below which the given fraction of all ranks' values lies, and
 /// the smallest one.
-double global_quantile(std::vector<double> values, double fraction, MPI_Comm communicator) {
-  std::vector<double> all;
-  for (const auto& part : Utilities::MPI::all_gather(communicator, values))
-    all.insert(all.end(), part.begin(), part.end());
+double global_quantile(const std::vector<double>& values, double fraction, MPI_Comm communicator) {
+  std::vector<double> all = all_gathered(values, communicator);
   const auto nth = static_cast<std::size_t>(fraction * static_cast<double>(all.size() - 1));
   std::nth_element(all.begin(), all.begin() + nth, all.end());
   return all[nth];
