@@ -24,6 +24,8 @@ TEST_F(Run, FiniteDifferencesWithAModelThatTheyDoNotHave) {
   for (const unsigned n_ranks : {1u, 2u})
     expect_refused(registering({"--method", "fdm", "--set", "Material/Model=yeoh"}),
                    {"Material/Model", "yeoh", "neo-hookean", "finite-difference"}, n_ranks);
+  expect_refused(registering({"--method", "fdm", "--set", "Supports/Lateral chest ratio=0.5"}),
+                 {"Lateral chest ratio", "finite differences", "set it to 1"});
 }
 
 TEST_F(Run, OutputFolderWithForeignContent) {

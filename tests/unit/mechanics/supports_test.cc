@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "box.h"
@@ -176,6 +177,30 @@ TEST(Supports, SpringsActOnFacesThatPassTheFilter) {
     }
   }
   EXPECT_NEAR(Utilities::MPI::sum(sum, MPI_COMM_WORLD), 8. * 100., 1e-6);
+}
+
+// 8 Pa/mm on one half of 400 mm^2, and 8 * 3 * 3 Pa/mm on the other.
+TEST(Supports, SpringsAreGradedByTheirFaces) {
+  const auto mesh = make_box(MPI_COMM_WORLD, {4, 2, 2}, size);
+  const Body body(*mesh);
+  Supports supports(body);
+  supports.add_springs({2}, 5.);
+  supports.grade_springs_on(
+      2, [](const Tensor<1, 3>& centre, const Tensor<1, 3>&) { return centre[0] < 10. ? 0. : 2.; });
+  supports.set_springs_on(2, 8., 3.);
+  supports.set_reference(body.vertex_positions());
+  double near = 0., far = 0.;
+  for (unsigned node = 0; node < body.n_owned_nodes(); ++node) {
+    const double x = node_value(body.vertex_positions(), node)[0];
+    (x < 10.1 ? near : far) += supports.spring_stiffness()[node];
+  }
+  const double middle = 100. * 0.5 * (8. + 72.); // nodes at x = 10 share faces of both sides
+  EXPECT_NEAR(Utilities::MPI::sum(near, MPI_COMM_WORLD), 8. * 150. + middle, 1e-6);
+  EXPECT_NEAR(Utilities::MPI::sum(far, MPI_COMM_WORLD), 72. * 150., 1e-6);
+  double largest = 0.;
+  for (const Supports::SpringFace& spring : supports.spring_faces())
+    largest = std::max(largest, spring.stiffness);
+  EXPECT_NEAR(Utilities::MPI::max(largest, MPI_COMM_WORLD), 72., 1e-9);
 }
 
 TEST(SupportForce, TangentsAreItsDerivatives) {
