@@ -102,7 +102,10 @@ Json as_json(const Summary& summary) {
   set(json["material"], "skin_stiffness", summary.skin_stiffness);
   set(json["material"], "chest_stiffness", summary.chest_stiffness);
   set(json["material"], "lateral_chest_ratio", summary.lateral_chest_ratio);
-  set(json["material"], "cut_plane_stiffness", summary.cut_plane_stiffness);
+  if (summary.cut_plane_stiffness)
+    for (const Position position : both_positions)
+      json["material"]["cut_plane_stiffness"][name_of(position)] =
+          (*summary.cut_plane_stiffness)[position];
   set(json["material"], "supine_tilt", summary.supine_tilt);
   set(json["tre"], "initial", summary.tre.initial);
   set(json["tre"], "unloaded", summary.tre.unloaded);

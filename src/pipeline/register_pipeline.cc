@@ -55,7 +55,8 @@ std::map<std::string, double> named(const MechanicalProperties& properties) {
           {"skin_stiffness", properties.tissue.skin_stiffness},
           {"chest_stiffness", properties.chest_stiffness},
           {"lateral_chest_ratio", properties.lateral_chest_ratio},
-          {"cut_plane_stiffness", properties.cut_plane_stiffness},
+          {"prone_cut_plane_stiffness", properties.cut_plane_stiffness.prone},
+          {"supine_cut_plane_stiffness", properties.cut_plane_stiffness.supine},
           {"tilt_left", properties.tilt.degrees()[0]},
           {"tilt_superior", properties.tilt.degrees()[1]}};
 }
@@ -176,7 +177,7 @@ void RegisterPipeline::note_properties() {
     summary.chest_stiffness = found.chest_stiffness;
     summary.lateral_chest_ratio = found.lateral_chest_ratio;
   }
-  if (found.cut_plane_stiffness > 0.)
+  if (found.cut_plane_stiffness.prone > 0.)
     summary.cut_plane_stiffness = found.cut_plane_stiffness;
   summary.supine_tilt = found.tilt.degrees();
   summary.lambda =

@@ -36,7 +36,9 @@ void for_each_number(State& state, const Visitor& visit) {
   visit("registration/skin_stiffness", state.properties.tissue.skin_stiffness);
   visit("registration/chest_stiffness", state.properties.chest_stiffness);
   visit("registration/lateral_chest_ratio", state.properties.lateral_chest_ratio);
-  visit("registration/cut_plane_stiffness", state.properties.cut_plane_stiffness);
+  for (const Position position : both_positions)
+    visit(std::string("registration/cut_plane_stiffness_") + name_of(position),
+          state.properties.cut_plane_stiffness[position]);
   visit("registration/tilt_left", state.properties.tilt.left);
   visit("registration/tilt_superior", state.properties.tilt.superior);
   for (unsigned i = 0; i < 3; ++i) {

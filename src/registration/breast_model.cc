@@ -52,7 +52,8 @@ MechanicalProperties initial_properties(const BreastModel& model, unloading::Che
   MechanicalProperties properties{model.material.initial(), model.supports.chest_stiffness(chest),
                                   model.supports.lateral_chest_ratio()};
   if (model.simulation.method == "fe")
-    properties.cut_plane_stiffness = model.supports.cut_plane_stiffness();
+    for (const Position position : both_positions)
+      properties.cut_plane_stiffness[position] = model.supports.cut_plane_stiffness();
   return properties;
 }
 

@@ -39,7 +39,7 @@ bool ElementBreast::has_gland() const {
 
 void ElementBreast::set_properties(const MechanicalProperties& properties) {
   supports().set_springs_on(chest_wall, properties.chest_stiffness, properties.lateral_chest_ratio);
-  supports().set_springs_on(cut_plane, properties.cut_plane_stiffness);
+  supports().set_springs_on(cut_plane, properties.cut_plane_stiffness[position_]);
   if (knows_gravity() && position_ == Position::supine)
     unloading().set_gravity_direction(tilted(parts_.gravity, properties.tilt));
   material_of_elements_ = material_.material_of(body().material_ids(), properties.tissue);

@@ -18,8 +18,9 @@ namespace {
 
 constexpr double least_jacobian = 0.1;    // after a step to balance
 constexpr double small_difference = 1e-3; // of that of a trial
-// Of linear equations. With derivatives to 0.01, results depend on the number of ranks by 0.06 mm.
-constexpr double derivative_tolerance = 1e-3, balance_tolerance = 1e-2;
+// Of linear equations. With derivatives to 0.01, results depend on the number of ranks by 0.06 mm,
+// with 0.001 by 0.008 mm.
+constexpr double derivative_tolerance = 1e-5, balance_tolerance = 1e-4;
 
 /// dX/dq_i of one breast.
 std::vector<NodeVector> derivatives_of(ElementBreast& breast, const UnloadedResponse& response,

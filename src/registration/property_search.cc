@@ -30,7 +30,7 @@ std::vector<const SearchedProperty*> chosen_of(const std::vector<std::string>& n
         (name != "chest stiffness" || properties.chest_stiffness > 0.) &&
         (name != "lateral chest ratio" ||
          (properties.chest_stiffness > 0. && pair.consists_of_elements)) &&
-        (name != "cut plane stiffness" || properties.cut_plane_stiffness > 0.) &&
+        (name != "cut plane stiffness" || properties.cut_plane_stiffness.prone > 0.) &&
         (name != "gravity" || pair.can_tilt) &&
         (name != "skin stiffness" || pair.consists_of_elements))
       chosen.push_back(&property);
@@ -251,7 +251,9 @@ std::vector<std::string> properties_at_bound(const std::vector<std::string>& nam
   std::vector<std::string> found;
   for (const SearchedProperty* property : chosen_of(names, properties, pair, true)) {
     const double q = property->get(properties);
-    if ((q < property->low + near && !property->may_be_low) || q > property->high - near)
+    const bool is_at_bound =
+        (q < property->low + near && !property->may_be_low) || q > property->high - near;
+    if (is_at_bound && (found.empty() || found.back() != property->name))
       found.emplace_back(property->name);
   }
   return found;

@@ -154,8 +154,9 @@ std::string PropertyTrials::in_words(const MechanicalProperties& properties) con
     text += format(", chest %.2f Pa/mm", properties.chest_stiffness);
   if (properties.chest_stiffness > 0. && properties.lateral_chest_ratio != 1.)
     text += format(" (x %.2f at the side)", properties.lateral_chest_ratio);
-  if (properties.cut_plane_stiffness > 0.)
-    text += format(", cuts %.1f Pa/mm", properties.cut_plane_stiffness);
+  if (properties.cut_plane_stiffness.prone > 0.)
+    text += format(", cuts %.1f and %.1f Pa/mm", properties.cut_plane_stiffness.prone,
+                   properties.cut_plane_stiffness.supine);
   const auto [left, superior] = properties.tilt.degrees();
   if (has_.can_tilt)
     text += format(", supine gravity tilted %.1f left, %.1f up", left, superior);

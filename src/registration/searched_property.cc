@@ -21,6 +21,23 @@ SearchedProperty angle(Get get, Set set) {
           -25. * degree, 25. * degree, 0.,  6. * degree};
 }
 
+/// The stiffness of the cut planes of a position as k0/(k0 + k): what gives way is linear in 1/k
+/// where hardly anything does.
+template <Position position>
+SearchedProperty cut_plane() {
+  using P = MechanicalProperties;
+  return {"cut plane stiffness",
+          [](const P& p) { return usual_cut / (usual_cut + p.cut_plane_stiffness[position]); },
+          [](P& p, double q) { p.cut_plane_stiffness[position] = usual_cut * (1. - q) / q; },
+          -0.07,
+          0.25,
+          stiffest_cut,
+          0.97,
+          0.5,
+          1.,
+          true};
+}
+
 } // namespace
 
 // Priors. Shear modulus: 100 to 1000 Pa were found in vivo from gravity (Eiben et al. 2016, Han et
@@ -48,11 +65,8 @@ const std::vector<SearchedProperty>& searched_properties() {
       {"lateral chest ratio", [](const P& p) { return std::log(p.lateral_chest_ratio); },
        [](P& p, double q) { p.lateral_chest_ratio = std::exp(q); }, -0.5, 1.5, std::log(1e-3),
        std::log(10.), std::log(0.3), 1.5, true, true}, // low: free at the side
-      // k0/(k0 + k): what gives way is linear in 1/k where hardly anything does
-      {"cut plane stiffness",
-       [](const P& p) { return usual_cut / (usual_cut + p.cut_plane_stiffness); },
-       [](P& p, double q) { p.cut_plane_stiffness = usual_cut * (1. - q) / q; }, -0.07, 0.25,
-       stiffest_cut, 0.97, 0.5, 1., true},
+      cut_plane<Position::prone>(),
+      cut_plane<Position::supine>(),
       {"skin stiffness", [](const P& p) { return p.tissue.skin_stiffness / usual_skin; },
        [](P& p, double q) { p.tissue.skin_stiffness = q * usual_skin; }, 0.1, 0.5, 0., 10., 1., 1.,
        true}, // low: no skin

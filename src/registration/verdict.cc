@@ -115,8 +115,10 @@ std::string value_of(const std::string& name, const MechanicalProperties& proper
     const auto [left, superior] = properties.tilt.degrees();
     return format("supine tilted by %.0f degrees to the left and %.0f to the head", left, superior);
   }
-  return format("%.1f Pa/mm", name == "chest stiffness" ? properties.chest_stiffness
-                                                        : properties.cut_plane_stiffness);
+  if (name == "chest stiffness")
+    return format("%.1f Pa/mm", properties.chest_stiffness);
+  return format("%.1f Pa/mm in prone and %.1f Pa/mm in supine",
+                properties.cut_plane_stiffness.prone, properties.cut_plane_stiffness.supine);
 }
 
 void judge_properties(const Quality& quality, Findings& findings) {

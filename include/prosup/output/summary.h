@@ -75,10 +75,10 @@ struct Summary {
   std::optional<double> shear_modulus; ///< Pa
   std::optional<double> lambda;        ///< Pa
   std::optional<double> poisson_ratio, gland_ratio;
-  std::optional<double> skin_stiffness;             ///< Pa mm
-  std::optional<double> chest_stiffness;            ///< Pa/mm
-  std::optional<double> lateral_chest_ratio;        ///< of the chest stiffness, side over front
-  std::optional<double> cut_plane_stiffness;        ///< Pa/mm
+  std::optional<double> skin_stiffness;      ///< Pa mm
+  std::optional<double> chest_stiffness;     ///< Pa/mm
+  std::optional<double> lateral_chest_ratio; ///< of the chest stiffness, side over front
+  std::optional<PerPosition<double>> cut_plane_stiffness; ///< Pa/mm
   std::optional<std::array<double, 2>> supine_tilt; ///< of gravity to the left and head, degrees
 
   struct Errors { ///< mm; absent without landmarks

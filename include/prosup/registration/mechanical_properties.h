@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "prosup/core/position.h"
 #include "prosup/mechanics/laws/tissue_material.h"
 
 namespace prosup::registration {
@@ -34,8 +35,9 @@ struct MechanicalProperties {
   /// rho: where the chest faces sideways these springs are as many times as stiff as in front,
   /// k rho^|n_x| with the unit normal n of the chest in LPS.
   double lateral_chest_ratio = 1.;
-  /// Of the springs on cut planes, Pa/mm; 0 if there are none.
-  double cut_plane_stiffness = 0.;
+  /// Of the springs on cut planes, Pa/mm; 0 if there are none. The fields of view of both scans
+  /// differ, and so does what lies beyond.
+  PerPosition<double> cut_plane_stiffness{};
   Tilt tilt{};
 };
 
