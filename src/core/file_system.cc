@@ -68,8 +68,9 @@ fs::path without_links(const fs::path& path) {
   return error ? place : found;
 }
 
-std::string unfinished_name(const fs::path& folder, const std::string& name) {
-  const std::string end = ".incomplete";
+std::string unfinished_name(const fs::path& folder, const std::string& name,
+                            const std::string& ending) {
+  const std::string end = ".incomplete" + ending;
   const long limit = pathconf(folder.c_str(), _PC_NAME_MAX);
   const std::size_t longest = limit > 0 ? static_cast<std::size_t>(limit) : 255;
   if (1 + name.size() + end.size() <= longest)

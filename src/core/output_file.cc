@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -63,9 +64,13 @@ void OutputFile::check() const {
     throw Error("The output '" + given_.string() + "' is the input '" + input.string() +
                 "', which would be lost; give the name of another file.");
   if (fs::is_regular_file(status) && fs::file_size(file_) > 0 && !rules_.overwrite &&
-      !rules_.first_line.empty() && first_line(file_) != rules_.first_line &&
-      (rules_.other_first_line.empty() || first_line(file_) != rules_.other_first_line))
+      !rules_.first_line.empty() && !is_ours(first_line(file_)))
     throw_in_the_way();
+}
+
+bool OutputFile::is_ours(const std::string& line) const {
+  const std::vector<std::string>& others = rules_.other_first_lines;
+  return line == rules_.first_line || std::find(others.begin(), others.end(), line) != others.end();
 }
 
 void OutputFile::throw_in_the_way() const {
@@ -76,7 +81,7 @@ void OutputFile::throw_in_the_way() const {
 
 void OutputFile::make_temporary() {
   const fs::path folder = file_.parent_path();
-  temporary_ = folder / unfinished_name(folder, file_.filename().string());
+  temporary_ = folder / unfinished_name(folder, file_.filename().string(), rules_.ending);
   lock_ = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
   if (lock_ < 0 && errno == EACCES && access(file_.c_str(), W_OK) == 0) {
     temporary_ = file_; // in a folder to which nothing can be added

@@ -177,4 +177,21 @@ std::string error_values(const ErrorBar& error, const std::string& what) {
   return coordinates(Point<3>(error.deviation), what) + format(",%.6f", error.radius_95);
 }
 
+std::string figure_values(const MapFigures& figures, const std::string& what) {
+  std::string text;
+  const auto add = [&](const std::optional<double>& value) {
+    if (value && !std::isfinite(*value))
+      throw Error("A distance or volume at " + shown(what) +
+                  " is not a finite number and was not written; check the registration.");
+    text += (text.empty() ? "" : ",") + (value ? format("%.6f", *value) : "");
+  };
+  add(figures.volume_ratio);
+  add(figures.outside);
+  for (const Depth& depth : {figures.before, figures.after}) {
+    add(depth.skin);
+    add(depth.chest_wall);
+  }
+  return text;
+}
+
 } // namespace prosup::evaluation::csv

@@ -12,6 +12,7 @@
 #include "csv_records.h"
 #include "prosup/core/remarks.h"
 #include "prosup/evaluation/error_bar.h"
+#include "prosup/evaluation/points.h"
 
 namespace prosup::evaluation::csv {
 
@@ -84,6 +85,9 @@ std::string coordinates(const Point<3>& p, const std::string& what);
 
 /// "sd_x,sd_y,sd_z,radius_95" to 1e-6 mm. @throws Error that names `what` if one is not finite.
 std::string error_values(const ErrorBar& error, const std::string& what);
+
+/// The values of figure_columns to 1e-6. @throws as above.
+std::string figure_values(const MapFigures& figures, const std::string& what);
 
 } // namespace prosup::evaluation::csv
 

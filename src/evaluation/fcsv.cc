@@ -89,7 +89,7 @@ std::string fcsv_text(const std::vector<NamedPoint>& points) {
     text += std::to_string(p + 1) + "," +
             csv::coordinates(points[p].position, "point '" + points[p].id + "'") +
             ",0,0,0,1,1,1,0," + csv::quoted(points[p].id) + "," +
-            (points[p].error ? csv::quoted(described(*points[p].error)) : "") + ",\n";
+            csv::quoted(described(points[p])) + ",\n";
   return text;
 }
 

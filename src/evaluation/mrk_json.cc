@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "coordinate_system.h"
+#include "json_text.h"
 #include "prosup/core/error.h"
 #include "prosup/core/log.h"
 #include "prosup/core/text.h"
@@ -13,12 +14,6 @@ namespace prosup::evaluation {
 namespace {
 
 using Json = nlohmann::json;
-
-/// The text at `key`, or `otherwise` if there is none.
-std::string text_at(const Json& json, const char* key, const std::string& otherwise) {
-  const auto found = json.find(key);
-  return found != json.end() && found->is_string() ? found->get<std::string>() : otherwise;
-}
 
 [[noreturn]] void refuse(const std::string& name, const std::string& what) {
   throw Error("The file '" + name + "' is not a markups file of 3D Slicer: " + what +
@@ -67,14 +62,13 @@ public:
 
 private:
   void read_system(Remarks& remarks) {
-    const auto system = json_.find("coordinateSystem");
-    if (system == json_.end()) {
+    const std::optional<std::string> system = system_name(json_);
+    if (!system) {
       remarks.add("The file '" + name_ +
                   "' does not name its coordinate system; its points were taken as LPS.");
       return;
     }
-    system_ = coordinate_system(system->is_string() ? system->get<std::string>() : system->dump(),
-                                "file '" + name_ + "'");
+    system_ = coordinate_system(*system, "file '" + name_ + "'");
   }
 
   /// Units are one text, or one for each axis.
@@ -155,8 +149,8 @@ std::string mrk_json_text(const std::vector<NamedPoint>& points) {
          {"label", points[p].id},
          {"position", {points[p].position[0], points[p].position[1], points[p].position[2]}},
          {"positionStatus", "defined"}});
-    if (points[p].error)
-      control_points.back()["description"] = described(*points[p].error);
+    if (const std::string text = described(points[p]); !text.empty())
+      control_points.back()["description"] = text;
   }
   const Json markup{{"type", "Fiducial"},
                     {"coordinateSystem", "LPS"},

@@ -21,22 +21,38 @@ namespace {
 
 using Face = SurfaceLocator::Face;
 
-/// The faces that belong to one cell only: the surface of the mesh.
-std::vector<Face> surface_faces(const std::vector<std::array<unsigned, 4>>& cells) {
-  std::vector<Face> faces, surface;
-  faces.reserve(4 * cells.size());
-  for (const auto& c : cells)
+/// The surface of a mesh.
+struct Surface {
+  std::vector<Face> faces;
+  std::vector<unsigned> cells; ///< behind each face
+};
+
+/// The faces that belong to one cell only.
+Surface surface_of(const std::vector<std::array<unsigned, 4>>& cells) {
+  struct Side {
+    Face face;
+    unsigned cell;
+  };
+  std::vector<Side> sides;
+  sides.reserve(4 * cells.size());
+  for (unsigned i = 0; i < cells.size(); ++i) {
+    const auto& c = cells[i];
     for (Face face : {Face{c[1], c[2], c[3]}, Face{c[0], c[2], c[3]}, Face{c[0], c[1], c[3]},
                       Face{c[0], c[1], c[2]}}) {
       std::sort(face.begin(), face.end());
-      faces.push_back(face);
+      sides.push_back({face, i});
     }
-  std::sort(faces.begin(), faces.end());
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    const bool shared =
-        (f > 0 && faces[f] == faces[f - 1]) || (f + 1 < faces.size() && faces[f] == faces[f + 1]);
-    if (!shared)
-      surface.push_back(faces[f]);
+  }
+  std::sort(sides.begin(), sides.end(),
+            [](const Side& a, const Side& b) { return a.face < b.face; });
+  Surface surface;
+  for (std::size_t f = 0; f < sides.size(); ++f) {
+    const bool shared = (f > 0 && sides[f].face == sides[f - 1].face) ||
+                        (f + 1 < sides.size() && sides[f].face == sides[f + 1].face);
+    if (shared)
+      continue;
+    surface.faces.push_back(sides[f].face);
+    surface.cells.push_back(sides[f].cell);
   }
   return surface;
 }
@@ -76,15 +92,15 @@ class PointMapper::Topology {
 public:
   explicit Topology(TetLocator::Cells cells) : cells_(std::move(cells)) {}
   const TetLocator::Cells& cells() const { return cells_; }
-  const std::vector<Face>& surface() const {
-    std::call_once(once_, [this] { surface_ = surface_faces(cells_); });
+  const Surface& surface() const {
+    std::call_once(once_, [this] { surface_ = surface_of(cells_); });
     return surface_;
   }
 
 private:
   TetLocator::Cells cells_;
   mutable std::once_flag once_;
-  mutable std::vector<Face> surface_;
+  mutable Surface surface_;
 };
 
 /// The mesh in one configuration. Finds the tetrahedron that contains a point, or the closest
@@ -120,7 +136,7 @@ public:
     Outside mapped{p, Tensor<2, 3>(dealii::unit_symmetric_tensor<3>()), hit.face,
                    std::sqrt(hit.squared_distance)};
     for (unsigned a = 0; a < 3; ++a) {
-      const Tensor<1, 3> u = displacement(topology_.surface()[hit.face][a], other);
+      const Tensor<1, 3> u = displacement(topology_.surface().faces[hit.face][a], other);
       mapped.position += hit.weights[a] * u;
       mapped.gradient += dealii::outer_product(u, hit.gradients[a]);
     }
@@ -129,14 +145,17 @@ public:
 
   /// As PointMapper::place(), if this is the unloaded and `other` the loaded mesh.
   MeshPlace place(const Point<3>& p, const PlacedMesh& other) const {
-    if (const auto hit = cell_locator().find(p))
-      return {topology_.cells()[hit->cell], hit->weights,
-              gradient(topology_.cells()[hit->cell], other)};
+    if (const auto hit = cell_locator().find(p)) {
+      const auto& cell = topology_.cells()[hit->cell];
+      const Tensor<2, 3> F = gradient(cell, other);
+      return {cell, hit->weights, F, determinant(F)};
+    }
     const SurfaceLocator::Hit hit = surface_locator().closest(p);
-    const Face& face = topology_.surface()[hit.face];
+    const Face& face = topology_.surface().faces[hit.face];
     return {{face[0], face[1], face[2], face[2]},
             {hit.weights[0], hit.weights[1], hit.weights[2], 0.},
-            map_outside(p, other, hit.face).gradient};
+            map_outside(p, other, hit.face).gradient,
+            determinant(gradient(topology_.cells()[topology_.surface().cells[hit.face]], other))};
   }
 
   std::size_t n_nodes() const { return nodes_.size(); }
@@ -163,7 +182,7 @@ private:
 
   const SurfaceLocator& surface_locator() const {
     std::call_once(surface_once_,
-                   [this] { surface_locator_.emplace(nodes_, topology_.surface()); });
+                   [this] { surface_locator_.emplace(nodes_, topology_.surface().faces); });
     return *surface_locator_;
   }
 

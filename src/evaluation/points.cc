@@ -37,15 +37,23 @@ std::vector<NamedPoint> parse_csv(const std::string& text, const std::string& na
   return points;
 }
 
+template <typename Value>
+bool all_have(const std::vector<NamedPoint>& points, std::optional<Value> NamedPoint::*value) {
+  return !points.empty() && std::all_of(points.begin(), points.end(), [&](const NamedPoint& p) {
+    return (p.*value).has_value();
+  });
+}
+
 std::string csv_text(const std::vector<NamedPoint>& points) {
-  const bool has_errors =
-      !points.empty() && std::all_of(points.begin(), points.end(),
-                                     [](const NamedPoint& p) { return p.error.has_value(); });
-  std::string text = std::string(has_errors ? points_with_errors_header : points_header) + "\n";
+  const bool has_errors = all_have(points, &NamedPoint::error),
+             has_figures = all_have(points, &NamedPoint::figures);
+  std::string text = std::string(points_header) + (has_errors ? error_columns : "") +
+                     (has_figures ? figure_columns : "") + "\n";
   for (const NamedPoint& point : points) {
     const std::string what = "point '" + point.id + "'";
     text += csv::quoted(point.id) + "," + csv::coordinates(point.position, what) +
-            (has_errors ? "," + csv::error_values(*point.error, what) : "") + "\n";
+            (has_errors ? "," + csv::error_values(*point.error, what) : "") +
+            (has_figures ? "," + csv::figure_values(*point.figures, what) : "") + "\n";
   }
   return text;
 }
@@ -104,6 +112,19 @@ std::vector<NamedPoint> read_points(const std::filesystem::path& file) {
 PointFormat output_format(const std::filesystem::path& file) {
   const std::string ending = lower_case(file.extension().string());
   return ending.empty() || ending == ".txt" ? PointFormat::csv : point_format(file);
+}
+
+std::vector<std::string> points_headers() {
+  const std::string plain = points_header, with_errors = plain + error_columns;
+  return {plain, with_errors, plain + figure_columns, with_errors + figure_columns};
+}
+
+void write_markups_like(const std::filesystem::path& original,
+                        const std::vector<NamedPoint>& points, const std::filesystem::path& file) {
+  csv_text(points); // checks that all are finite
+  const std::string name = original.string();
+  Remarks told; // when they were read
+  write_text_file(mrk_json_like(as_utf8(read_file(original), name, told), name, points), file);
 }
 
 void write_points(const std::vector<NamedPoint>& points, const std::filesystem::path& file,

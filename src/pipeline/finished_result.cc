@@ -33,12 +33,16 @@ void require_finished(const std::filesystem::path& result) {
 
 // The HDF5 file comes first: it holds both breasts, and a checksum that tells whether it is whole.
 // Results of earlier versions have VTU files only.
-evaluation::PointMapper read_mapper(const std::filesystem::path& result, const std::string& state) {
+mesh::UnloadedMesh read_breast(const std::filesystem::path& result, const std::string& state) {
   const std::filesystem::path h5 = h5_of(result);
   if (std::filesystem::exists(h5))
-    return evaluation::PointMapper(output::read_registration(
-        h5, state == name_of(Position::prone) ? Position::prone : Position::supine));
-  return evaluation::PointMapper(output::read_mesh(required(result, state + "_loaded.vtu")));
+    return output::read_registration(h5, state == name_of(Position::prone) ? Position::prone
+                                                                           : Position::supine);
+  return output::read_mesh(required(result, state + "_loaded.vtu"));
+}
+
+evaluation::PointMapper read_mapper(const std::filesystem::path& result, const std::string& state) {
+  return evaluation::PointMapper(read_breast(result, state));
 }
 
 std::optional<evaluation::Uncertainty::Covariances>

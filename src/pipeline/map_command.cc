@@ -1,86 +1,70 @@
-#include <algorithm>
-
 #include "prosup/core/output_file.h"
 #include "prosup/core/remarks.h"
-#include "prosup/core/text.h"
-#include "prosup/evaluation/point_mapper.h"
 #include "prosup/evaluation/points.h"
 #include "prosup/pipeline/commands.h"
 #include "prosup/pipeline/finished_result.h"
-#include "table_output.h"
+#include "state_map.h"
 
 namespace prosup::pipeline {
 
-using evaluation::MappedPoint;
-using evaluation::PointMapper;
+using evaluation::NamedPoint;
+using evaluation::PointFormat;
 
 namespace {
 
-constexpr double far_outside = 2.; // mm: more than the mesh's own error at the skin
-
-/// Says which points lay outside, once for each that did.
-void say_outside(const std::vector<std::string>& ids, Remarks& remarks) {
-  if (ids.empty())
-    return;
-  constexpr std::size_t n_named = 5;
-  const std::vector<std::string> first(ids.begin(),
-                                       ids.begin() + long(std::min(ids.size(), n_named)));
-  remarks.add(format("%zu times a point lay more than %g mm outside the mesh (%s%s); it was moved "
-                     "with the closest point of the mesh.",
-                     ids.size(), far_outside, joined(first).c_str(),
-                     ids.size() > n_named ? " and others" : ""));
+/// The error bar that a point with this unloaded position has in the state it is mapped to.
+evaluation::ErrorBar error_bar(const MapRequest& request,
+                               const evaluation::Uncertainty& uncertainty,
+                               const dealii::Point<3>& unloaded) {
+  evaluation::Covariance covariance; // none where points stay
+  if (request.from != request.to)
+    covariance = request.to == unloaded_state
+                     ? uncertainty.unloaded(unloaded)
+                     : uncertainty.loaded(unloaded, request.to == name_of(Position::prone)
+                                                        ? Position::prone
+                                                        : Position::supine);
+  return evaluation::error_bar(covariance);
 }
 
-/// Gives points that are in the unloaded state the error bars that they will have.
-void add_error_bars(const MapRequest& request, const evaluation::Uncertainty& uncertainty,
-                    std::vector<evaluation::NamedPoint>& points) {
-  for (evaluation::NamedPoint& point : points) {
-    evaluation::Covariance covariance; // none where points stay
-    if (request.from != request.to)
-      covariance = request.to == "unloaded"
-                       ? uncertainty.unloaded(point.position)
-                       : uncertainty.loaded(point.position, request.to == name_of(Position::prone)
-                                                                ? Position::prone
-                                                                : Position::supine);
-    point.error = evaluation::error_bar(covariance);
+void map(const MapRequest& request, std::vector<NamedPoint>& points, Remarks& remarks) {
+  const StateMap map(request.result, request.from, request.to);
+  const auto covariances = read_covariances(request.result);
+  std::optional<evaluation::Uncertainty> uncertainty;
+  if (covariances)
+    uncertainty.emplace(map.mapper(Position::prone), map.mapper(Position::supine), *covariances);
+  OutsideReport outside;
+  for (NamedPoint& point : points) {
+    const MappedState mapped = map(point.position);
+    if (uncertainty)
+      point.error = error_bar(request, *uncertainty, mapped.unloaded);
+    point.figures = {map.volume_ratio(mapped.unloaded), mapped.outside,
+                     map.depth_before(point.position), map.depth_after(mapped.position)};
+    point.position = mapped.position;
+    outside.look_at(point.id, mapped.outside);
   }
+  outside.say(remarks);
 }
 
 } // namespace
 
 void run_map(const MapRequest& request) {
   require_finished(request.result);
-  const evaluation::PointFormat format = evaluation::output_format(request.output);
-  const bool is_csv = format == evaluation::PointFormat::csv;
+  const PointFormat format = evaluation::output_format(request.output);
   Remarks remarks{Log(MPI_COMM_SELF)}; // standard output may be where the points go
-  std::vector<evaluation::NamedPoint> points = evaluation::read_points(request.points, remarks);
-  const auto covariances = read_covariances(request.result);
-  OutputFile output(request.output, {{request.points},
-                                     request.overwrite,
-                                     is_csv ? evaluation::points_header : "",
-                                     is_csv ? evaluation::points_with_errors_header : ""});
-  const PointMapper prone = read_mapper(request.result, name_of(Position::prone)),
-                    supine = read_mapper(request.result, name_of(Position::supine));
-  const auto mapper_of = [&](const std::string& state) -> const PointMapper& {
-    return state == name_of(Position::prone) ? prone : supine;
-  };
-  std::vector<std::string> outside;
-  const auto apply = [&](const PointMapper& mapper, evaluation::Configuration from) {
-    for (evaluation::NamedPoint& point : points) {
-      const MappedPoint mapped = mapper.map(point.position, from);
-      if (mapped.distance_outside > far_outside)
-        outside.push_back("'" + shown(point.id) + "'");
-      point.position = mapped.position;
-    }
-  };
-  if (request.from != "unloaded" && request.from != request.to)
-    apply(mapper_of(request.from), evaluation::Configuration::loaded);
-  if (covariances)
-    add_error_bars(request, evaluation::Uncertainty(prone, supine, *covariances), points);
-  if (request.to != "unloaded" && request.from != request.to)
-    apply(mapper_of(request.to), evaluation::Configuration::unloaded);
-  say_outside(outside, remarks);
-  evaluation::write_points(points, output.path(), format);
+  std::vector<NamedPoint> points = evaluation::read_points(request.points, remarks);
+  OutputFileRules rules{{request.points}, request.overwrite, ""};
+  if (format == PointFormat::csv)
+    rules = {{request.points},
+             request.overwrite,
+             evaluation::points_header,
+             evaluation::points_headers()};
+  OutputFile output(request.output, rules);
+  map(request, points, remarks);
+  if (format == PointFormat::mrk_json &&
+      evaluation::point_format(request.points) == PointFormat::mrk_json)
+    evaluation::write_markups_like(request.points, points, output.path());
+  else
+    evaluation::write_points(points, output.path(), format);
   output.commit();
 }
 

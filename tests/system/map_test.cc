@@ -188,6 +188,75 @@ TEST(Map, WritesHowSureThePointsAre) {
   }
 }
 
+// Of what 3D Slicer wrote, positions change and names, colours and coordinate system stay.
+TEST(Map, AnswersInTheFormatOfThePoints) {
+  const TemporaryFolder folder;
+  const NamedPoint point = landmarks_in("prone").front();
+  const Json asked{
+      {"markups",
+       {{{"type", "Fiducial"},
+         {"coordinateSystem", "RAS"},
+         {"display", {{"color", {0.2, 0.4, 0.6}}}},
+         {"controlPoints",
+          {{{"id", "1"},
+            {"label", "lesion"},
+            {"position", {-point.position[0], -point.position[1], point.position[2]}}}}}}}}};
+  text_file(folder / "in.mrk.json", asked.dump());
+  const Point<3> expected = map({point}, "prone", "supine").front().position;
+  for (const char* name : {"out.mrk.json", "out.fcsv", "out.csv"}) {
+    const ProgramRun run = run_prosup({"map", "--result", registered(), "--from", "prone", "--to",
+                                       "supine", folder / "in.mrk.json", "-o", folder / name});
+    ASSERT_EQ(run.exit_code, 0) << run.transcript();
+    const auto points = evaluation::read_points(folder / name);
+    ASSERT_EQ(points.size(), 1u) << name;
+    EXPECT_EQ(points[0].id, "lesion") << name;
+    EXPECT_LT(points[0].position.distance(expected), 2e-6) << name;
+  }
+  const Json answer = read_json(folder / "out.mrk.json").at("markups").at(0);
+  EXPECT_EQ(answer.at("coordinateSystem"), "RAS");
+  EXPECT_EQ(answer.at("display"), asked.at("markups").at(0).at("display"));
+}
+
+// Landmarks lie in the breast: between skin and chest wall, in tissue that hardly changes volume
+// but for single cells of the coarse mesh.
+TEST(Map, TellsWhereThePointsAreInTheBreast) {
+  const TemporaryFolder folder;
+  evaluation::write_points(landmarks_in("prone"), folder / "in.csv");
+  const ProgramRun run = run_prosup({"map", "--result", registered(), "--from", "prone", "--to",
+                                     "supine", folder / "in.csv", "-o", folder / "out.csv"});
+  ASSERT_EQ(run.exit_code, 0) << run.transcript();
+  const auto rows = read_table(folder / "out.csv");
+  double mean = 0.;
+  for (const auto& row : rows) {
+    const double J = std::stod(row.at("J"));
+    EXPECT_GT(J, 0.2) << row.at("id");
+    EXPECT_LT(J, 4.) << row.at("id");
+    mean += J / double(rows.size());
+    EXPECT_LT(std::stod(row.at("outside")), 2.) << row.at("id");
+    for (const char* column : {"skin_before", "chest_before", "skin_after", "chest_after"}) {
+      EXPECT_GT(std::stod(row.at(column)), 0.) << row.at("id") << " " << column;
+      EXPECT_LT(std::stod(row.at(column)), 120.) << row.at("id") << " " << column;
+    }
+  }
+  EXPECT_NEAR(mean, 1., 0.15);
+}
+
+// A point that is outside of both meshes is one point.
+TEST(Map, CountsAndNamesThePointsOutside) {
+  const TemporaryFolder folder;
+  std::vector<NamedPoint> points = landmarks_in("prone");
+  points.resize(2);
+  points.push_back({"in the air", points[0].position + dealii::Tensor<1, 3>({0., 0., 500.})});
+  evaluation::write_points(points, folder / "in.csv");
+  const ProgramRun run = run_prosup({"map", "--result", registered(), "--from", "prone", "--to",
+                                     "supine", folder / "in.csv", "-o", folder / "out.csv"});
+  ASSERT_EQ(run.exit_code, 0) << run.transcript();
+  EXPECT_NE((run.out + run.err).find("1 of 3 points lie more than 2 mm outside"), std::string::npos)
+      << run.transcript();
+  EXPECT_NE((run.out + run.err).find("('in the air')"), std::string::npos) << run.transcript();
+  EXPECT_GT(std::stod(read_table(folder / "out.csv")[2].at("outside")), 100.);
+}
+
 // The sample has few landmarks; a model that has lost its scale misses most of them or none by far.
 TEST(Map, ErrorBarsHoldTheLandmarksOfTheSample) {
   const auto rows = read_table(registered() / "landmarks.csv");

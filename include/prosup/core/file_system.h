@@ -20,8 +20,9 @@ std::filesystem::path absolute_path(const std::filesystem::path& path);
 std::filesystem::path without_links(const std::filesystem::path& path);
 
 /// Name of a hidden file or folder in `folder` that belongs to `name`: `.NAME.incomplete`,
-/// shortened where the file system does not allow names of that length.
-std::string unfinished_name(const std::filesystem::path& folder, const std::string& name);
+/// shortened where the file system does not allow names of that length. `ending` comes behind it.
+std::string unfinished_name(const std::filesystem::path& folder, const std::string& name,
+                            const std::string& ending = "");
 
 /// Whether both are one file, also through links. False if one does not exist.
 bool same_file(const std::filesystem::path& one, const std::filesystem::path& other);

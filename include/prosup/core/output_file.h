@@ -18,7 +18,8 @@ struct OutputFileRules {
   /// Of files that the command writes, which it may replace. Without one it replaces only a file
   /// that has the same contents.
   std::string first_line;
-  std::string other_first_line{}; ///< of files that it writes in another case
+  std::vector<std::string> other_first_lines{}; ///< of files that it writes in other cases
+  std::string ending{}; ///< of the temporary file, for libraries that choose the format by it
 };
 
 /// A single output file that is written completely or not at all: to path(), a temporary file
@@ -40,6 +41,7 @@ public:
 
 private:
   void check() const;
+  bool is_ours(const std::string& line) const;
   void make_temporary();
   [[noreturn]] void throw_in_the_way() const;
 

@@ -16,6 +16,10 @@ using dealii::Point;
 /// One of the two configurations of an UnloadedMesh.
 enum class Configuration { loaded, unloaded };
 
+/// Points that are further outside of a mesh than this are not part of the breast, mm. It is more
+/// than the mesh's own error at the skin.
+constexpr double far_outside = 2.;
+
 /// Result of mapping a point.
 struct MappedPoint {
   Point<3> position;       ///< in the other configuration, LPS mm
@@ -27,6 +31,7 @@ struct MeshPlace {
   std::array<unsigned, 4> nodes; ///< with which it moves
   std::array<double, 4> weights; ///< of these nodes, sum 1
   dealii::Tensor<2, 3> gradient; ///< F = dx/dX there
+  double volume_ratio;           ///< J of the cell there, or of that behind the closest triangle
 };
 
 /// Maps points between the loaded and the unloaded configuration of one breast.

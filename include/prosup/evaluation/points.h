@@ -9,16 +9,26 @@
 #include <vector>
 
 #include "prosup/core/remarks.h"
+#include "prosup/evaluation/depth.h"
 #include "prosup/evaluation/error_bar.h"
 
 namespace prosup::evaluation {
 
 using dealii::Point;
 
+/// What a map from one state to another tells of a point besides its position.
+struct MapFigures {
+  double volume_ratio;   ///< J = det dx_after/dx_before of the tissue there
+  double outside;        ///< distance from the mesh, mm; 0 inside
+  Depth before{}, after; ///< in the state that the point comes from and in that it is mapped to
+};
+
 struct NamedPoint {
   std::string id;
-  Point<3> position;               ///< LPS, mm
-  std::optional<ErrorBar> error{}; ///< where it is known; not read from files
+  Point<3> position; ///< LPS, mm
+  // Where they are known; not read from files.
+  std::optional<ErrorBar> error{};
+  std::optional<MapFigures> figures{};
 };
 
 /// The formats of lists of points.
@@ -46,19 +56,32 @@ std::vector<NamedPoint> read_points(const std::filesystem::path& file);
 std::vector<NamedPoint> parse_points(const std::string& text, PointFormat format,
                                      const std::string& name, Remarks& remarks);
 
-/// The first line of points that are written as CSV, and of those whose error bars are known.
+/// The first line of points that are written as CSV, and what is added to it if all of them have
+/// error bars, and if all have figures of a map.
 constexpr const char* points_header = "id,x,y,z";
-constexpr const char* points_with_errors_header = "id,x,y,z,sd_x,sd_y,sd_z,radius_95";
+constexpr const char* error_columns = ",sd_x,sd_y,sd_z,radius_95";
+constexpr const char* figure_columns = ",J,outside,skin_before,chest_before,skin_after,chest_after";
+
+/// All first lines that write_points() may write as CSV.
+std::vector<std::string> points_headers();
 
 /// The format of points that are written to `file`: as point_format(), or CSV if the name has no
 /// ending, such as /dev/stdout, or ends in .txt.
 PointFormat output_format(const std::filesystem::path& file);
 
-/// Writes points, LPS mm, to 1e-6 mm. If all have error bars, CSV has them in further columns, mm,
-/// and markups in the descriptions of the points.
+/// Writes points, LPS mm, to 1e-6 mm. If all have error bars or figures, CSV has them in further
+/// columns, where an unknown distance is left empty, and markups in the descriptions of the points.
 /// @throws Error if a number is not finite or the file cannot be written.
 void write_points(const std::vector<NamedPoint>& points, const std::filesystem::path& file,
                   PointFormat format = PointFormat::csv);
+
+/// Writes the points that were read from the markups `original` (.mrk.json) to a file of this kind
+/// with all else that is there: colours and other settings of display, names and coordinate system
+/// of each list, locks and visibility. What is not kept is what belongs to the old positions:
+/// measurements, points that were not placed, and the frames of planes and regions, which become
+/// lists of points. @throws Error as write_points(), or as read_points() for the original.
+void write_markups_like(const std::filesystem::path& original,
+                        const std::vector<NamedPoint>& points, const std::filesystem::path& file);
 
 } // namespace prosup::evaluation
 

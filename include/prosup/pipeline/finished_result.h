@@ -14,6 +14,10 @@ namespace prosup::pipeline {
 /// which has to be a registration.h5.
 void require_finished(const std::filesystem::path& result);
 
+/// The mesh of `state`, prone or supine, from a result folder of `register` or its
+/// registration.h5. @throws Error if it is missing or damaged.
+mesh::UnloadedMesh read_breast(const std::filesystem::path& result, const std::string& state);
+
 /// The map between the loaded and the unloaded configuration of `state`, prone or supine, from a
 /// result folder of `register` or its registration.h5.
 /// @throws Error if the mesh is missing or damaged.

@@ -47,6 +47,14 @@ TEST(PointMapper, IsExactForAnAffineMap) {
   }
 }
 
+// Also outside, where it is that of the cell behind the closest face.
+TEST(PointMapper, PlacesKnowTheVolumeRatio) {
+  const AffineMap affine = stretch_and_shear();
+  const PointMapper mapper(affine_mesh(box_of_tets(low, high, 4), affine));
+  for (const auto& X : random_points(low - dealii::Tensor<1, 3>({5., 5., 5.}), high, 200))
+    EXPECT_NEAR(mapper.place(X).volume_ratio, determinant(affine.A), 1e-10);
+}
+
 TEST(PointMapper, NodesEdgesAndFacesAreFound) {
   const AffineMap affine = stretch_and_shear();
   const auto box = box_of_tets(low, high, 4, 0.);

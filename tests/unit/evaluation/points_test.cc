@@ -77,7 +77,7 @@ TEST(Points, WithErrorBarsHaveMoreColumns) {
   const ErrorBar bar{dealii::Tensor<1, 3>({0.5, 0.25, 2.}), 4.125};
   write_points({{"a", {1., 2., 3.}, bar}}, folder / "out.csv");
   EXPECT_EQ(contents(folder / "out.csv"),
-            std::string(points_with_errors_header) +
+            std::string(points_header) + error_columns +
                 "\na,1.000000,2.000000,3.000000,0.500000,0.250000,2.000000,4.125000\n");
   for (const char* name : {"out.fcsv", "out.mrk.json"}) {
     write_points({{"a", {1., 2., 3.}, bar}}, folder / name, point_format(name));
@@ -88,6 +88,24 @@ TEST(Points, WithErrorBarsHaveMoreColumns) {
   expect_error(
       [&] {
         write_points({{"a", {1., 2., 3.}, wrong}}, folder / "wrong.csv");
+      },
+      {"point 'a'", "not a finite number"});
+}
+
+// An unknown distance is an empty value; the columns that came first stay first.
+TEST(Points, WithFiguresOfAMapHaveMoreColumns) {
+  const TemporaryFolder folder;
+  const MapFigures figures{0.875, 1.5, {12., 30.}, {11., {}}};
+  write_points({{"a", {1., 2., 3.}, {}, figures}}, folder / "out.csv");
+  EXPECT_EQ(
+      contents(folder / "out.csv"),
+      std::string(points_header) + figure_columns +
+          "\na,1.000000,2.000000,3.000000,0.875000,1.500000,12.000000,30.000000,11.000000,\n");
+  EXPECT_EQ(read_points(folder / "out.csv").at(0).position, Point<3>(1., 2., 3.));
+  const MapFigures wrong{std::numeric_limits<double>::infinity(), 0., {}, {}};
+  expect_error(
+      [&] {
+        write_points({{"a", {}, {}, wrong}}, folder / "wrong.csv");
       },
       {"point 'a'", "not a finite number"});
 }
