@@ -87,6 +87,37 @@ LabelImage nearest_labels(const LabelImage& labels, const VoxelGrid& grid) {
   return result;
 }
 
+/// How much the voxels of an image are like their neighbours, apart from those of its background.
+class Neighbours {
+public:
+  explicit Neighbours(const LabelImage& labels) {
+    const std::size_t row = labels.grid.size[0];
+    for (std::size_t v = 0; v < labels.values.size(); ++v) {
+      const std::uint8_t value = labels.values[v];
+      occurs_[value] = true;
+      if (v % row != 0 && (value != 0 || labels.values[v - 1] != 0)) {
+        ++n_pairs_;
+        n_alike_ += value == labels.values[v - 1];
+      }
+    }
+  }
+
+  std::size_t n_values() const {
+    return std::size_t(std::count(occurs_.begin(), occurs_.end(), true));
+  }
+  double share_alike() const { return double(n_alike_) / std::max(double(n_pairs_), 1.); }
+
+  bool are_regions() const {
+    constexpr std::size_t few_values = 12; // can be labels, whatever they look like
+    constexpr double least_alike = 0.6;    // of neighbours; even thin regions have more
+    return n_values() <= few_values || share_alike() >= least_alike;
+  }
+
+private:
+  std::array<bool, 256> occurs_{};
+  std::size_t n_pairs_ = 0, n_alike_ = 0;
+};
+
 } // namespace
 
 LabelImage fit_labels(LabelImage labels, const ScalarImage& image, const std::string& labels_name,
@@ -122,25 +153,23 @@ LabelImage fit_labels(LabelImage labels, const ScalarImage& image, const std::st
   return nearest_labels(labels, grid);
 }
 
-void require_regions(const LabelImage& labels, const std::string& file) {
-  constexpr std::size_t few_values = 12; // can be labels, whatever they look like
-  constexpr double least_alike = 0.6;    // of neighbours; even thin regions have more
-  std::array<bool, 256> occurs{};
-  std::size_t n_pairs = 0, n_alike = 0;
-  const std::size_t row = labels.grid.size[0];
-  for (std::size_t v = 0; v < labels.values.size(); ++v) {
-    const std::uint8_t value = labels.values[v];
-    occurs[value] = true;
-    if (v % row != 0 && (value != 0 || labels.values[v - 1] != 0)) {
-      ++n_pairs;
-      n_alike += value == labels.values[v - 1];
-    }
+bool marks_regions(const ScalarImage& image) {
+  LabelImage labels(image.grid);
+  for (std::size_t v = 0; v < image.values.size(); ++v) {
+    const float value = image.values[v];
+    if (!(value >= 0.f && value <= 255.f) || value != std::floor(value))
+      return false;
+    labels.values[v] = static_cast<std::uint8_t>(value);
   }
-  const auto n_values = std::size_t(std::count(occurs.begin(), occurs.end(), true));
-  if (n_values > few_values && double(n_alike) < least_alike * double(n_pairs))
+  return Neighbours(labels).are_regions();
+}
+
+void require_regions(const LabelImage& labels, const std::string& file) {
+  const Neighbours found(labels);
+  if (!found.are_regions())
     throw Error(format("'%s' is no label image: it holds %zu different values, and only %.0f %% of "
                        "neighbouring voxels have the same one; give the mask, not the image.",
-                       file.c_str(), n_values, 100. * double(n_alike) / double(n_pairs)));
+                       file.c_str(), found.n_values(), 100. * found.share_alike()));
 }
 
 void require_label(const LabelImage& labels, unsigned label, const std::string& what,

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "prosup/core/error.h"
@@ -95,13 +96,26 @@ NearestMap nearest_known(const LabelImage& known) {
   return map;
 }
 
+void require_known(const LabelImage& known) {
+  if (std::all_of(known.values.begin(), known.values.end(), [](auto v) { return v == 0; }))
+    throw Error("Nothing can be measured or extended from an empty mask; check the labels.");
+}
+
 } // namespace
+
+ScalarImage distance_from(const LabelImage& known) {
+  require_known(known);
+  ScalarImage distance(known.grid);
+  distance.values = nearest_known(known).squared_distance;
+  for (float& value : distance.values)
+    value = std::sqrt(value);
+  return distance;
+}
 
 void extend_from_nearest(VectorImage& field, const LabelImage& known) {
   if (known.grid.size != field.grid.size)
     throw Error("A field can be extended only from a mask of its own size; resample the mask.");
-  if (std::all_of(known.values.begin(), known.values.end(), [](auto v) { return v == 0; }))
-    throw Error("A field cannot be extended from an empty mask: it is known nowhere.");
+  require_known(known);
   const NearestMap map = nearest_known(known);
   for (std::size_t v = 0; v < known.values.size(); ++v)
     if (known.values[v] == 0)

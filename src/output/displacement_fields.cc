@@ -5,12 +5,14 @@
 #include "prosup/core/error.h"
 #include "prosup/image/filters.h"
 #include "prosup/mesh/scan_conversion.h"
+#include "rigid_chest.h"
 
 namespace prosup::output {
 
 namespace {
 
 using dealii::Point;
+using dealii::Tensor;
 using evaluation::PointMapper;
 using image::LabelImage;
 using image::VectorImage;
@@ -25,7 +27,7 @@ struct Index {
   std::size_t i, j, k;
 };
 
-std::array<float, 3> as_value(const dealii::Tensor<1, 3>& u) {
+std::array<float, 3> as_value(const Tensor<1, 3>& u) {
   return {static_cast<float>(u[0]), static_cast<float>(u[1]), static_cast<float>(u[2])};
 }
 
@@ -68,7 +70,7 @@ std::vector<Index> border_of(const LabelImage& known) {
 /// Defines the field in n_layers around what is known by `displacement(position)`,
 /// and beyond by the nearest voxel.
 template <class Displacement>
-void complete(VectorImage& field, LabelImage& known, Displacement&& displacement) {
+void complete(VectorImage& field, LabelImage known, Displacement&& displacement) {
   std::vector<Index> layer = border_of(known), next;
   if (layer.empty() && (known.values.empty() || known.values[0] == 0))
     throw Error("The breast mesh lies outside the grid of a displacement field; check that the "
@@ -106,44 +108,69 @@ void for_each_voxel(const VoxelGrid& grid, const std::vector<Point<3>>& nodes,
         });
 }
 
-} // namespace
+/// A mesh in two configurations.
+struct MovedMesh {
+  const mesh::TetMesh& mesh;
+  const std::vector<Point<3>>&from, &to; ///< positions of the nodes
+};
 
-VectorImage unloaded_to_loaded(const VoxelGrid& grid, const mesh::UnloadedMesh& mesh,
-                               const PointMapper& mapper) {
-  VectorImage field(grid);
-  LabelImage known(grid);
-  const auto& loaded = mesh.mesh.points;
-  for_each_voxel(grid, mesh.unloaded, mesh.mesh,
+/// The field that takes the nodes of a mesh along, and points outside by `displacement(position)`.
+template <class Displacement>
+StateField between_nodes(const VoxelGrid& grid, const MovedMesh& moved, Displacement&& displacement,
+                         const RigidChest& chest) {
+  StateField result{VectorImage(grid), LabelImage(grid)};
+  for_each_voxel(grid, moved.from, moved.mesh,
                  [&](auto i, auto j, auto k, const auto& cell, const auto& weights) {
-                   dealii::Tensor<1, 3> u;
+                   Tensor<1, 3> u;
                    for (unsigned a = 0; a < 4; ++a)
-                     u += weights[a] * (loaded[cell[a]] - mesh.unloaded[cell[a]]);
-                   field(i, j, k) = as_value(u);
-                   known(i, j, k) = 1;
+                     u += weights[a] * (moved.to[cell[a]] - moved.from[cell[a]]);
+                   result.displacement(i, j, k) = as_value(u);
+                   result.valid(i, j, k) = 1;
                  });
-  complete(field, known, [&](const Point<3>& X) { return mapper.to_loaded(X) - X; });
-  return field;
+  complete(result.displacement, result.valid, displacement);
+  turn_into_chest(result.displacement, result.valid, chest);
+  return result;
 }
 
-VectorImage loaded_to_loaded(const VoxelGrid& grid, const mesh::UnloadedMesh& from,
-                             const PointMapper& from_mapper, const PointMapper& to_mapper) {
+} // namespace
+
+StateField unloaded_to_loaded(const VoxelGrid& grid, const mesh::UnloadedMesh& mesh,
+                              const PointMapper& mapper, const RigidChest& chest) {
+  return between_nodes(
+      grid, {mesh.mesh, mesh.unloaded, mesh.mesh.points},
+      [&](const Point<3>& X) { return mapper.to_loaded(X) - X; }, chest);
+}
+
+StateField loaded_to_unloaded(const VoxelGrid& grid, const mesh::UnloadedMesh& mesh,
+                              const PointMapper& mapper, const RigidChest& chest) {
+  return between_nodes(
+      grid, {mesh.mesh, mesh.mesh.points, mesh.unloaded},
+      [&](const Point<3>& x) { return mapper.to_unloaded(x) - x; }, chest);
+}
+
+StateField loaded_to_loaded(const VoxelGrid& grid, const mesh::UnloadedMesh& from,
+                            const PointMapper& from_mapper, const PointMapper& to_mapper,
+                            const RigidChest& chest) {
   VectorImage field(grid);
-  LabelImage known(grid);
+  LabelImage in_mesh(grid), valid(grid);
   for_each_voxel(grid, from.mesh.points, from.mesh,
                  [&](auto i, auto j, auto k, const auto& cell, const auto& weights) {
-                   if (known(i, j, k) != 0) // on a face, mapped from the other side already
+                   if (in_mesh(i, j, k) != 0) // on a face, mapped from the other side already
                      return;
                    Point<3> x, X;
                    for (unsigned a = 0; a < 4; ++a) {
-                     x += weights[a] * dealii::Tensor<1, 3>(from.mesh.points[cell[a]]);
-                     X += weights[a] * dealii::Tensor<1, 3>(from.unloaded[cell[a]]);
+                     x += weights[a] * Tensor<1, 3>(from.mesh.points[cell[a]]);
+                     X += weights[a] * Tensor<1, 3>(from.unloaded[cell[a]]);
                    }
-                   field(i, j, k) = as_value(to_mapper.to_loaded(X) - x);
-                   known(i, j, k) = 1;
+                   const auto mapped = to_mapper.map(X, evaluation::Configuration::unloaded);
+                   field(i, j, k) = as_value(mapped.position - x);
+                   in_mesh(i, j, k) = 1;
+                   valid(i, j, k) = mapped.distance_outside <= evaluation::far_outside;
                  });
-  complete(field, known,
+  complete(field, in_mesh,
            [&](const Point<3>& x) { return to_mapper.to_loaded(from_mapper.to_unloaded(x)) - x; });
-  return field;
+  turn_into_chest(field, in_mesh, chest);
+  return {std::move(field), std::move(valid)};
 }
 
 } // namespace prosup::output

@@ -43,6 +43,19 @@ void write_covariances(Hdf5Writer& file, const std::vector<Covariance>& covarian
     file.rows(name + "/covariance", components, n_components);
 }
 
+/// As y = rotation x + translation.
+void write_alignment(Hdf5Writer& file, const image::RigidTransform& alignment) {
+  const dealii::Point<3> translation = alignment(dealii::Point<3>());
+  std::vector<double> rotation, shift;
+  for (unsigned d = 0; d < 3; ++d) {
+    shift.push_back(translation[d]);
+    for (unsigned e = 0; e < 3; ++e)
+      rotation.push_back(alignment.rotation[d][e]);
+  }
+  file.rows("alignment/rotation", rotation, 3);
+  file.rows("alignment/translation", shift, 3);
+}
+
 Hdf5Reader reader_of(const std::filesystem::path& file) {
   return Hdf5Reader(file, kind, MPI_COMM_SELF,
                     "give the result folder of a registration that finished, or its "
@@ -54,7 +67,8 @@ Hdf5Reader reader_of(const std::filesystem::path& file) {
 void write_registration(const PerPosition<mesh::UnloadedMesh>& meshes,
                         const std::map<std::string, double>& properties,
                         const std::filesystem::path& folder,
-                        const evaluation::Uncertainty::Covariances& covariances) {
+                        const evaluation::Uncertainty::Covariances& covariances,
+                        const image::RigidTransform& alignment) {
   for (const auto& [name, value] : properties)
     if (!std::isfinite(value))
       throw Error("The property '" + name +
@@ -63,6 +77,7 @@ void write_registration(const PerPosition<mesh::UnloadedMesh>& meshes,
   file.text("version", version());
   for (const auto& [name, value] : properties)
     file.number("properties/" + name, value);
+  write_alignment(file, alignment);
   for (const Position position : both_positions) {
     write_breast(file, meshes[position], name_of(position));
     write_covariances(file, covariances[position], name_of(position));
@@ -78,6 +93,21 @@ mesh::UnloadedMesh read_registration(const std::filesystem::path& file, Position
                             points_of(reader.doubles(group + "/unloaded"))};
   check_mesh(result, group);
   return result;
+}
+
+std::optional<image::RigidTransform> read_alignment(const std::filesystem::path& file) {
+  const Hdf5Reader reader = reader_of(file);
+  if (reader.data_sets("alignment").size() != 2)
+    return {};
+  const std::vector<double> rotation = reader.doubles("alignment/rotation"),
+                            shift = reader.doubles("alignment/translation");
+  image::RigidTransform alignment;
+  for (unsigned d = 0; d < 3; ++d) {
+    alignment.translation[d] = shift.at(d);
+    for (unsigned e = 0; e < 3; ++e)
+      alignment.rotation[d][e] = rotation.at(3 * d + e);
+  }
+  return alignment;
 }
 
 std::optional<evaluation::Uncertainty::Covariances>

@@ -53,42 +53,6 @@ Outcome run_with_parameters(Run run, const ParameterOptions& options, MPI_Comm w
   return outcome_of(run(parameters, handler, target, world));
 }
 
-void add_map_options(CLI::App& command, MapRequest& request) {
-  const CLI::IsMember states({"prone", "supine", "unloaded"});
-  command
-      .add_option("--result", request.result,
-                  "Result folder of prosup register, or its registration.h5")
-      ->required();
-  command.add_option("--from", request.from, "State of the points")->required()->check(states);
-  command.add_option("--to", request.to, "State to map them to")->required()->check(states);
-  command
-      .add_option("POINTS", request.points, "Points: CSV (id,x,y,z), .fcsv or .mrk.json; LPS mm")
-      ->required();
-  command.add_option("-o,--output", request.output, "CSV file to write")->required();
-  command.add_flag("--overwrite", request.overwrite,
-                   "Replace the output even if it is not what this command has written");
-}
-
-void add_landmark_options(CLI::App& command, LandmarkRequest& request) {
-  command
-      .add_option("--result", request.result,
-                  "Result folder of prosup register, or its registration.h5")
-      ->required();
-  command.add_option("OBSERVERS", request.observers, "Landmarks of one observer each, CSV")
-      ->required();
-  command.add_option("--control", request.control,
-                     "Supine landmarks of an observer who was shown the prone ones of the first: "
-                     "CSV (id,supine_x,... or id,x,y,z), .fcsv or .mrk.json");
-  command
-      .add_option("--exclude-above", request.exclude_above,
-                  "Landmarks that two observers place further apart are not reliable (mm)")
-      ->capture_default_str()
-      ->check(CLI::NonNegativeNumber);
-  command.add_option("-o,--output", request.output, "CSV file to write")->required();
-  command.add_flag("--overwrite", request.overwrite,
-                   "Replace the output even if it is not what this command has written");
-}
-
 /// What a command with a parameter file has options for.
 struct Abilities {
   bool writes_results = true, can_restart = false;
@@ -126,41 +90,30 @@ std::vector<Command> all_commands() {
     return names;
   };
   const OptionNames one_breast = all_of({images, labels, {"--state"}, gravity, simulation});
-  return {with_parameters(
-              "register", "Both images and masks to the registered unloaded pair",
-              all_of({images, labels, {"--landmarks"}, gravity, simulation, {"--similarity"}}),
-              run_register, {true, true}),
-          with_parameters(
-              "check", "What is wrong with the input of register, in seconds",
-              all_of({images, labels, {"--landmarks"}, gravity, simulation, {"--similarity"}}),
-              run_check, {false, false}),
-          with_parameters("unload", "One mask (and image) to its unloaded configuration",
-                          all_of({one_breast, {"--landmarks"}}), run_unload, {true, true}),
-          with_parameters("load",
-                          "One unloaded mask (and image) or mesh to its loaded configuration",
-                          one_breast, run_load, {true, true}),
-          with_parameters("prepare", "Scans to images and labels that register takes",
-                          {"--prone", "--supine", "--series", "--side", "--contrast"}, run_prepare),
-          with_parameters("mesh", "One mask to a mesh, with a quality report",
-                          all_of({labels, {"--state"}}), run_mesh),
-          with_parameters("phantom", "Images of a numerical phantom, with their truth", gravity,
-                          run_phantom),
-          with_parameters("compare", "Runs of prosup and of other programs: speed against error",
-                          all_parameter_options(), run_compare),
-          {"map", "Points from one state to another",
-           [](CLI::App& app, const auto&, Request& request) { add_map_options(app, request.map); },
-           [](const Request& request, MPI_Comm world) {
-             on_root(world, [&] { run_map(request.map); });
-             return Outcome::success;
-           }},
-          {"landmarks", "Errors at the landmarks of several observers",
-           [](CLI::App& app, const auto&, Request& request) {
-             add_landmark_options(app, request.landmarks);
-           },
-           [](const Request& request, MPI_Comm world) {
-             on_root(world, [&] { run_landmarks(request.landmarks); });
-             return Outcome::success;
-           }}};
+  std::vector<Command> commands{
+      with_parameters(
+          "register", "Both images and masks to the registered unloaded pair",
+          all_of({images, labels, {"--landmarks"}, gravity, simulation, {"--similarity"}}),
+          run_register, {true, true}),
+      with_parameters(
+          "check", "What is wrong with the input of register, in seconds",
+          all_of({images, labels, {"--landmarks"}, gravity, simulation, {"--similarity"}}),
+          run_check, {false, false}),
+      with_parameters("unload", "One mask (and image) to its unloaded configuration",
+                      all_of({one_breast, {"--landmarks"}}), run_unload, {true, true}),
+      with_parameters("load", "One unloaded mask (and image) or mesh to its loaded configuration",
+                      one_breast, run_load, {true, true}),
+      with_parameters("prepare", "Scans to images and labels that register takes",
+                      {"--prone", "--supine", "--series", "--side", "--contrast"}, run_prepare),
+      with_parameters("mesh", "One mask to a mesh, with a quality report",
+                      all_of({labels, {"--state"}}), run_mesh),
+      with_parameters("phantom", "Images of a numerical phantom, with their truth", gravity,
+                      run_phantom),
+      with_parameters("compare", "Runs of prosup and of other programs: speed against error",
+                      all_parameter_options(), run_compare)};
+  for (Command& command : result_commands())
+    commands.push_back(std::move(command));
+  return commands;
 }
 
 } // namespace prosup::pipeline

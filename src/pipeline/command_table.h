@@ -16,6 +16,7 @@ namespace prosup::pipeline {
 struct Request {
   ParameterOptions parameters;
   MapRequest map;
+  WarpRequest warp;
   LandmarkRequest landmarks;
 };
 
@@ -27,6 +28,9 @@ struct Command {
 };
 
 std::vector<Command> all_commands();
+
+/// Those of them that work with a finished registration.
+std::vector<Command> result_commands();
 
 } // namespace prosup::pipeline
 

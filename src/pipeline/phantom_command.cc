@@ -119,7 +119,8 @@ private:
   void write_field(Position position, const fs::path& folder) const {
     const mesh::UnloadedMesh& mesh = loaded_[position].mesh;
     image::write_displacement(
-        output::unloaded_to_loaded(unloaded_grid(), mesh, evaluation::PointMapper(mesh)),
+        output::unloaded_to_loaded(unloaded_grid(), mesh, evaluation::PointMapper(mesh))
+            .displacement,
         folder / (std::string("unloaded_to_") + name_of(position) + ".nrrd"));
   }
 

@@ -227,7 +227,8 @@ void RegisterPipeline::write_on_root() {
     summary.breasts[position] = output::summarize(found_.meshes[position]);
     output::write_mesh(found_.meshes[position], folder, name_of(position));
   }
-  output::write_registration(found_.meshes, named(found_.properties), folder, covariances_);
+  output::write_registration(found_.meshes, named(found_.properties), folder, covariances_,
+                             registration_.inputs().alignment);
   if (!covariances_.prone.empty())
     landmarks_.add_error_bars(found_.meshes, covariances_);
   judge();
@@ -242,8 +243,8 @@ void RegisterPipeline::write() {
   const MPI_Comm world = registration_.ranks().world();
   on_root(world, [&] { write_on_root(); });
   const auto& originals = registration_.inputs().originals;
-  const PerPosition<image::ScalarImage> unloaded =
-      write_images(found_.meshes, originals, results_, run_.folder(), registration_.ranks());
+  const PerPosition<image::ScalarImage> unloaded = write_images(
+      found_.meshes, registration_.inputs(), results_, run_.folder(), registration_.ranks());
   if (!covariances_.prone.empty()) // on rank 0
     write_radius_image(found_.meshes, covariances_, results_, run_.folder());
   if (results_.pictures)

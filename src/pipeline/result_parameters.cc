@@ -13,7 +13,11 @@ void ResultParameters::declare_parameters(ParameterHandler& prm) {
                     Patterns::Double(0.05, 50.));
   prm.add_parameter("Margin", margin, "Margin of this grid around both unloaded meshes. Units: mm.",
                     Patterns::Double(0., 1000.));
-  prm.add_parameter("Pictures", pictures, "Whether pictures of slices are written, as PNG.");
+  prm.add_parameter("Other states", other_states,
+                    "Whether each image is also written as it would look in the other position: "
+                    "prone_in_supine.nii.gz and supine_in_prone.nii.gz.");
+  prm.add_parameter("Pictures", pictures,
+                    "Whether pictures of slices are written, as PNG and in the report.");
 }
 
 } // namespace prosup::pipeline

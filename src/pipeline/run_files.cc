@@ -24,14 +24,18 @@ const Names& slices() {
 }
 
 Names of_register() {
-  Names names{"landmarks.csv",         "convergence.csv",         "convergence.svg",
-              output::registration_h5, output::registration_xdmf, "unloaded_radius_95.nii.gz"};
+  Names names{"landmarks.csv",
+              "convergence.csv",
+              "convergence.svg",
+              output::registration_h5,
+              output::registration_xdmf, "unloaded_radius_95.nii.gz"};
   add(names, slices());
   for (const Position position : both_positions) {
     const std::string state = name_of(position), other_state = name_of(other(position));
     add(names, mesh_of(state));
     add(names, {state + "_unloaded.nii.gz", "unloaded_to_" + state + ".nrrd",
-                state + "_to_" + other_state + ".nrrd"});
+                state + "_to_" + other_state + ".nrrd", "valid_" + state + ".nii.gz",
+                "valid_unloaded_" + state + ".nii.gz", state + "_in_" + other_state + ".nii.gz"});
   }
   return names;
 }

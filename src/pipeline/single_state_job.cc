@@ -188,7 +188,12 @@ image::VectorImage SingleStateJob::write_field(const mesh::UnloadedMesh& mesh,
                                                const fs::path& file) const {
   const image::VoxelGrid grid =
       unloaded_grid({&mesh}, parameters_.results.voxel_edge, parameters_.results.margin);
-  image::VectorImage field = output::unloaded_to_loaded(grid, mesh, evaluation::PointMapper(mesh));
+  const unsigned chest_label = parameters_.registration.labels.chest;
+  const image::LabelImage& labels = scene_.labels[position_];
+  image::VectorImage field =
+      output::unloaded_to_loaded(grid, mesh, evaluation::PointMapper(mesh),
+                                 {{}, output::voxels_with(labels, chest_label)})
+          .displacement;
   image::write_displacement(field, file);
   return field;
 }

@@ -92,6 +92,10 @@ ScalarImage extended(const ScalarImage& image, unsigned n_layers);
 /// @throws Error if `known` is 0 everywhere or the sizes differ.
 void extend_from_nearest(VectorImage& field, const LabelImage& known);
 
+/// Distance of each voxel, mm, from the nearest one where `known` is not 0.
+/// @throws Error if `known` is 0 everywhere.
+ScalarImage distance_from(const LabelImage& known);
+
 /// Resamples `loaded` on the grid of the displacement u: the result at X is loaded(X + u(X)),
 /// or `outside` if X + u(X) lies outside the field of view of `loaded`.
 ScalarImage warp(const ScalarImage& loaded, const VectorImage& displacement, float outside = 0.f);

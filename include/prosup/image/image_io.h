@@ -58,6 +58,10 @@ void write_displacement(const VectorImage& field, const std::filesystem::path& f
 LabelImage fit_labels(LabelImage labels, const ScalarImage& image, const std::string& labels_name,
                       const std::string& image_name, Remarks& remarks);
 
+/// Whether the values of an image mark regions, however many: integers from 0 to 255, of which
+/// there are few, or which most voxels share with their neighbours.
+bool marks_regions(const ScalarImage& image);
+
 /// Checks that the values mark regions, however many, instead of being intensities.
 /// @throws Error that names the file.
 void require_regions(const LabelImage& labels, const std::string& file);

@@ -65,6 +65,21 @@ struct MapRequest {
 /// For one rank.
 void run_map(const MapRequest& request);
 
+/// What `prosup warp` is asked for.
+struct WarpRequest {
+  std::filesystem::path result; ///< folder of a finished registration
+  std::string from, to;         ///< prone, supine or unloaded
+  std::filesystem::path input, output;
+  std::string interpolation;  ///< of image::interpolation_names(); empty: chosen by the input
+  bool labels = false;        ///< the input is a label map, whatever its values look like
+  std::filesystem::path like; ///< image whose grid the output gets; empty: that of the state
+  bool overwrite = false;     ///< an output that prosup did not write
+};
+
+/// `prosup warp`: an image, a label map or a surface model from one state to another with a
+/// finished registration. For one rank.
+void run_warp(const WarpRequest& request);
+
 /// What `prosup landmarks` is asked for.
 struct LandmarkRequest {
   std::filesystem::path result; ///< folder of a finished registration, or its registration.h5

@@ -17,14 +17,15 @@ namespace prosup::pipeline {
 image::ScalarImage write_warped(const image::ScalarImage& original, const image::VectorImage& field,
                                 const std::filesystem::path& file);
 
-/// Writes the four displacement fields and both unloaded images to `folder`, those of each position
-/// by the first rank that works on it, so that two ranks share the work. The meshes come from rank
-/// 0 and go to the other. Collective; returns the unloaded images on rank 0.
-PerPosition<image::ScalarImage>
-write_images(PerPosition<mesh::UnloadedMesh>& meshes,
-             const PerPosition<registration::OriginalImage>& originals,
-             const ResultParameters& parameters, const std::filesystem::path& folder,
-             const registration::RankSplit& ranks);
+/// Writes the four displacement fields with masks of where they are valid, both unloaded images,
+/// and each image as it would look in the other position, to `folder`: those of each position by
+/// the first rank that works on it, so that two ranks share the work. The meshes come from rank 0
+/// and go to the other. Collective; returns the unloaded images on rank 0.
+PerPosition<image::ScalarImage> write_images(PerPosition<mesh::UnloadedMesh>& meshes,
+                                             const registration::Inputs& inputs,
+                                             const ResultParameters& parameters,
+                                             const std::filesystem::path& folder,
+                                             const registration::RankSplit& ranks);
 
 /// Writes output::radius_image() on the grid of the unloaded images. For one rank.
 void write_radius_image(const PerPosition<mesh::UnloadedMesh>& meshes,

@@ -13,6 +13,7 @@ public:
 
   double voxel_edge = 1.; ///< of the common unloaded grid, mm
   double margin = 10.;    ///< of that grid around both meshes, mm
+  bool other_states = true;
   bool pictures = true;
 };
 

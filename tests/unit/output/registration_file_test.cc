@@ -55,6 +55,17 @@ TEST(RegistrationFile, RoundTripIsExact) {
   EXPECT_FALSE(file.text("version").empty());
 }
 
+TEST(RegistrationFile, KeepsTheAlignmentOfTheChests) {
+  const TemporaryFolder folder;
+  image::RigidTransform alignment;
+  alignment.rotation = image::rotation_about(dealii::Tensor<1, 3>({0.1, -0.2, 0.05}));
+  alignment.centre = dealii::Point<3>(10., 20., 30.);
+  alignment.translation = dealii::Tensor<1, 3>({1., 2., 3.});
+  write_registration(irrational_meshes(), {}, folder / "", {}, alignment);
+  const dealii::Point<3> x(-5., 7., 11.);
+  EXPECT_LT(read_alignment(folder / registration_h5).value()(x).distance(alignment(x)), 1e-12);
+}
+
 TEST(RegistrationFile, KeepsTheCovariancesIfThereAreAny) {
   const TemporaryFolder folder;
   const auto meshes = irrational_meshes();
