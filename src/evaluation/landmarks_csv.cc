@@ -5,6 +5,7 @@
 #include "csv.h"
 #include "prosup/core/log.h"
 #include "prosup/core/text_file.h"
+#include "text_input.h"
 
 namespace prosup::evaluation {
 
@@ -43,6 +44,16 @@ void write_landmarks(const std::vector<MappedLandmark>& landmarks,
             "\n";
   }
   write_text_file(text, file);
+}
+
+std::vector<LandmarkError> read_errors(const std::filesystem::path& file) {
+  const csv::Table table(read_file(file), file.string());
+  const std::size_t id = table.id_column(), error = table.column("tre");
+  std::vector<LandmarkError> errors;
+  for (std::size_t row = 0; row < table.n_rows(); ++row)
+    errors.push_back({table.text(row, id),
+                      csv::parse_number(table.text(row, error), table.where(row), "tre_mm")});
+  return errors;
 }
 
 void write_landmarks(const std::vector<Landmark>& landmarks, const std::filesystem::path& file) {

@@ -56,7 +56,7 @@ void Canvas::text(int x, int y, const std::string& text, int font_size, const Co
     }
 }
 
-void Canvas::write_png(const std::filesystem::path& file) const {
+std::string Canvas::png() const {
   vtkNew<vtkImageData> image;
   image->SetDimensions(width_, height_, 1);
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
@@ -74,9 +74,16 @@ void Canvas::write_png(const std::filesystem::path& file) const {
   writer->SetInputData(image);
   writer->Write();
   if (errors->any() || writer->GetErrorCode() != 0)
-    throw_cannot_write(file);
+    return {};
   vtkUnsignedCharArray& bytes = *writer->GetResult();
-  write_text_file(std::string(bytes.Begin(), bytes.End()), file);
+  return std::string(bytes.Begin(), bytes.End());
+}
+
+void Canvas::write_png(const std::filesystem::path& file) const {
+  const std::string bytes = png();
+  if (bytes.empty())
+    throw_cannot_write(file);
+  write_text_file(bytes, file);
 }
 
 } // namespace prosup::output

@@ -22,6 +22,9 @@ public:
   /// Writes text with its middle at (x, y).
   void text(int x, int y, const std::string& text, int font_size, const Colour& colour);
 
+  /// The bytes of a PNG file; empty if VTK cannot make them.
+  std::string png() const;
+
   /// @throws Error if the file cannot be written.
   void write_png(const std::filesystem::path& file) const;
 

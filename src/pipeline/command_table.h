@@ -17,6 +17,7 @@ struct Request {
   ParameterOptions parameters;
   MapRequest map;
   WarpRequest warp;
+  ReportRequest report;
   LandmarkRequest landmarks;
 };
 

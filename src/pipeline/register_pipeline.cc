@@ -12,6 +12,7 @@
 #include "prosup/pipeline/descriptions.h"
 #include "prosup/pipeline/result_images.h"
 #include "prosup/registration/verdict.h"
+#include "result_report.h"
 
 namespace prosup::pipeline {
 
@@ -101,7 +102,11 @@ Outcome RegisterPipeline::run() {
   run_.stage(stage::uncertainty, [&] { covariances_ = registration_.covariances(); });
   run_.stage(stage::write, [&] { write(); });
   const std::string errors = output::error_table(run_.summary());
-  run_.finish(errors + (errors.empty() ? "" : "\n") + output::verdict_text(run_.summary()));
+  run_.finish(errors + (errors.empty() ? "" : "\n") + output::verdict_text(run_.summary()), [&] {
+    write_result_report(run_.folder(), results_.pictures
+                                           ? report_images(registration_.inputs().originals)
+                                           : std::optional<output::ReportImages>());
+  });
   if (checkpoints_)
     checkpoints_->remove();
   return dealii::Utilities::MPI::broadcast(registration_.ranks().world(), outcome_);

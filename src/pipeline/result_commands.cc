@@ -50,6 +50,12 @@ void add_warp_options(CLI::App& command, WarpRequest& request) {
   command.add_flag("--overwrite", request.overwrite, "Replace the output whatever it is");
 }
 
+void add_report_options(CLI::App& command, ReportRequest& request) {
+  command.add_option("RESULT", request.result, "Result folder of prosup register")->required();
+  command.add_flag("--overwrite", request.overwrite,
+                   "Replace the report even if it was changed since prosup wrote it");
+}
+
 void add_landmark_options(CLI::App& command, LandmarkRequest& request) {
   command
       .add_option("--result", request.result,
@@ -89,6 +95,8 @@ std::vector<Command> result_commands() {
       on_result("map", "Points from one state to another", &Request::map, add_map_options, run_map),
       on_result("warp", "An image, a label map or a model from one state to another",
                 &Request::warp, add_warp_options, run_warp),
+      on_result("report", "The report of a result anew", &Request::report, add_report_options,
+                run_report),
       on_result("landmarks", "Errors at the landmarks of several observers", &Request::landmarks,
                 add_landmark_options, run_landmarks)};
 }

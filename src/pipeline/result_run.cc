@@ -30,13 +30,14 @@ ResultRun::ResultRun(const std::string& command, const ParameterHandler& paramet
     unfinished_ = std::make_unique<Unfinished>([this] { ResultFolder::clear_leftover(output_); });
 }
 
-bool ResultRun::finish(const std::string& report) {
+bool ResultRun::finish(const std::string& report, const std::function<void()>& write_last) {
   summary_.peak_memory = peak_memory(world_);
   on_root(world_, [&] {
     summary_.time.total = timer_.total();
     summary_.warnings = remarks_.all();
     write_parameters(parameters_, folder_ / "used.prm");
     output::write_summary(summary_, folder_ / "summary.json");
+    write_last();
     result_->commit();
     log_.line("\n" + timer_.table());
     if (!report.empty())

@@ -2,6 +2,7 @@
 
 #include "prosup/image/image_files.h"
 #include "prosup/output/registration_file.h"
+#include "prosup/output/report.h"
 
 namespace prosup::pipeline {
 
@@ -28,7 +29,9 @@ Names of_register() {
               "convergence.csv",
               "convergence.svg",
               output::registration_h5,
-              output::registration_xdmf, "unloaded_radius_95.nii.gz"};
+              output::registration_xdmf,
+              output::report_html,
+              "unloaded_radius_95.nii.gz"};
   add(names, slices());
   for (const Position position : both_positions) {
     const std::string state = name_of(position), other_state = name_of(other(position));

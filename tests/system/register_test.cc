@@ -129,7 +129,7 @@ TEST_P(Register, ResultFolderIsComplete) {
   for (const char* name :
        {"summary.json", "used.prm", "landmarks.csv", "prone.pvd", "supine.pvd", "prone_loaded.vtu",
         "prone_unloaded.vtu", "supine_loaded.vtu", "supine_unloaded.vtu", "registration.h5",
-        "registration.xdmf", "convergence.csv", "valid_prone.nii.gz",
+        "registration.xdmf", "convergence.csv", "report.html", "valid_prone.nii.gz",
         "valid_supine.nii.gz", "valid_unloaded_prone.nii.gz", "valid_unloaded_supine.nii.gz",
         "prone_in_supine.nii.gz", "supine_in_prone.nii.gz"}) {
     ASSERT_TRUE(std::filesystem::is_regular_file(result().folder / name)) << name;

@@ -2,6 +2,7 @@
 #define PROSUP_EVALUATION_LANDMARKS_CSV_H
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "prosup/evaluation/target_registration_error.h"
@@ -14,6 +15,16 @@ namespace prosup::evaluation {
 /// @throws Error if a coordinate is not finite or the file cannot be written.
 void write_landmarks(const std::vector<MappedLandmark>& landmarks,
                      const std::filesystem::path& file);
+
+/// The error of one landmark of a result, mm.
+struct LandmarkError {
+  std::string id;
+  double error;
+};
+
+/// The errors (tre_mm) in a file of the function above.
+/// @throws Error if it cannot be read or has no such column.
+std::vector<LandmarkError> read_errors(const std::filesystem::path& file);
 
 /// Writes landmarks in the format of read_landmarks(), to 1e-6 mm, with the unloaded positions
 /// if all are known.

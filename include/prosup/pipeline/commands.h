@@ -65,6 +65,15 @@ struct MapRequest {
 /// For one rank.
 void run_map(const MapRequest& request);
 
+/// What `prosup report` is asked for.
+struct ReportRequest {
+  std::filesystem::path result; ///< folder of a finished registration
+  bool overwrite = false;       ///< a report that was changed since prosup wrote it
+};
+
+/// `prosup report`: the report of a finished registration anew. For one rank.
+void run_report(const ReportRequest& request);
+
 /// What `prosup warp` is asked for.
 struct WarpRequest {
   std::filesystem::path result; ///< folder of a finished registration

@@ -43,9 +43,10 @@ public:
   double seconds(const std::string& name) const { return timer_.seconds(name); }
   double seconds() const { return timer_.total(); }
 
-  /// Writes used.prm and summary.json, moves the results into place, and prints the times and
-  /// the `report`. @returns Summary::converged.
-  bool finish(const std::string& report = "");
+  /// Writes used.prm and summary.json, then on rank 0 what `write_last` makes of all files, moves
+  /// the results into place, and prints the times and the `report`. @returns Summary::converged.
+  bool finish(
+      const std::string& report = "", const std::function<void()>& write_last = [] {});
 
 private:
   MPI_Comm world_;

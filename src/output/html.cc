@@ -1,0 +1,130 @@
+#include "html.h"
+
+#include <deal.II/base/utilities.h>
+
+namespace prosup::output::html {
+
+namespace {
+
+constexpr const char* style = R"(
+:root { color-scheme: light; --ink: #1c2430; --line: #d5dae1; --soft: #f4f6f8; }
+body { font: 15px/1.45 system-ui, "Segoe UI", Helvetica, Arial, sans-serif; color: var(--ink);
+  max-width: 1180px; margin: 0 auto; padding: 1.2rem; background: #fff; }
+h1 { font-size: 1.5rem; margin: 0 0 .6rem; } h2 { font-size: 1.15rem; margin: 1.8rem 0 .5rem;
+  border-bottom: 1px solid var(--line); } h3 { font-size: 1rem; margin: .8rem 0 .3rem; }
+table { border-collapse: collapse; margin: .4rem 0; } td, th { text-align: left;
+  padding: .18rem .8rem .18rem 0; border-bottom: 1px solid var(--line); vertical-align: top; }
+table.numbers td:not(:first-child), table.numbers th:not(:first-child) { text-align: right;
+  font-variant-numeric: tabular-nums; }
+.verdict { padding: .7rem 1rem; border-left: 8px solid #888; background: var(--soft); }
+.good { border-color: #1b7837; } .doubtful { border-color: #e08214; } .failed { border-color: #b2182b; }
+.verdict p { margin: 0; font-weight: 600; } .verdict ul { margin: .4rem 0 0; }
+figure { margin: .8rem 0; break-inside: avoid; } figcaption { color: #4a5563; font-size: .92rem; }
+img, svg { max-width: 100%; height: auto; }
+.viewers { display: grid; grid-template-columns: repeat(auto-fit, minmax(320px, 1fr)); gap: 1rem; }
+.stack { position: relative; background: #000; cursor: ew-resize; touch-action: none; line-height: 0; }
+.stack img { width: 100%; } .stack .over { position: absolute; inset: 0; display: none;
+  clip-path: inset(0 calc(100% - var(--cut, 50%)) 0 0); }
+.stack .over.shown { display: block; }
+.stack::after { content: ""; position: absolute; top: 0; bottom: 0; left: var(--cut, 50%);
+  width: 1px; background: #ffd640; pointer-events: none; }
+.viewer input { width: 100%; margin: .3rem 0 0; } code { background: var(--soft); padding: 0 .2rem; }
+@media print { body { max-width: none; padding: 0; font-size: 11px; } .controls, .viewer input {
+  display: none; } .viewers { grid-template-columns: repeat(3, 1fr); } h2 { break-after: avoid; } }
+)";
+
+// A slider is moved by keys, by its thumb, or by dragging the picture.
+constexpr const char* script = R"(
+document.querySelectorAll('.viewer').forEach(function (viewer) {
+  var stack = viewer.querySelector('.stack'), slider = viewer.querySelector('input');
+  function cut() { stack.style.setProperty('--cut', slider.value + '%'); }
+  function follow(event) {
+    var box = stack.getBoundingClientRect();
+    slider.value = 100 * (event.clientX - box.left) / box.width;
+    cut();
+  }
+  slider.addEventListener('input', cut);
+  stack.addEventListener('pointerdown', function (event) {
+    event.preventDefault(); stack.setPointerCapture(event.pointerId); follow(event); slider.focus();
+  });
+  stack.addEventListener('pointermove', function (event) { if (event.buttons) follow(event); });
+  cut();
+});
+document.querySelectorAll('input[name=over]').forEach(function (choice) {
+  choice.addEventListener('change', function () {
+    document.querySelectorAll('.over').forEach(function (image) {
+      image.classList.toggle('shown', image.dataset.kind === choice.value);
+    });
+  });
+});
+)";
+
+std::string cells(const char* tag, const std::vector<std::string>& values) {
+  std::string row = "<tr>";
+  for (const std::string& value : values)
+    row += std::string("<") + tag + ">" + escaped(value) + "</" + tag + ">";
+  return row + "</tr>\n";
+}
+
+} // namespace
+
+std::string escaped(const std::string& words) {
+  std::string result;
+  for (const char c : words)
+    switch (c) {
+    case '<':
+      result += "&lt;";
+      break;
+    case '>':
+      result += "&gt;";
+      break;
+    case '&':
+      result += "&amp;";
+      break;
+    case '"':
+      result += "&quot;";
+      break;
+    default:
+      result += c;
+    }
+  return result;
+}
+
+std::string data_uri(const std::string& bytes, const std::string& type) {
+  return "data:" + type + ";base64," +
+         dealii::Utilities::encode_base64(std::vector<unsigned char>(bytes.begin(), bytes.end()));
+}
+
+std::string section(const std::string& title, const std::string& contents) {
+  return "<section>\n<h2>" + escaped(title) + "</h2>\n" + contents + "</section>\n";
+}
+
+std::string table(const std::vector<ReportRow>& rows) {
+  std::string text = "<table>\n";
+  for (const ReportRow& row : rows)
+    text +=
+        cells("td", row.remark.empty() ? std::vector<std::string>{row.name, row.value}
+                                       : std::vector<std::string>{row.name, row.value, row.remark});
+  return text + "</table>\n";
+}
+
+std::string table(const std::vector<std::string>& headings,
+                  const std::vector<std::vector<std::string>>& rows) {
+  std::string text = "<table class=\"numbers\">\n" + cells("th", headings);
+  for (const auto& row : rows)
+    text += cells("td", row);
+  return text + "</table>\n";
+}
+
+std::string page_start(const std::string& title) {
+  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
+         escaped(title) + "</title>\n<style>" + style + "</style>\n</head>\n<body>\n<h1>" +
+         escaped(title) + "</h1>\n";
+}
+
+std::string page_end() {
+  return std::string("<script>") + script + "</script>\n</body>\n</html>\n";
+}
+
+} // namespace prosup::output::html

@@ -1,0 +1,89 @@
+#include "result_report.h"
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "prosup/core/log.h"
+#include "prosup/registration/search_ranges.h"
+
+namespace prosup::pipeline {
+
+using Json = nlohmann::json;
+using output::ReportRow;
+using registration::MechanicalProperties;
+
+namespace {
+
+/// A property as summary.json names it.
+struct ShownProperty {
+  const char *key, *name, *unit;
+  double (*get)(const MechanicalProperties&);
+};
+
+const std::vector<ShownProperty>& shown_properties() {
+  using P = MechanicalProperties;
+  static const std::vector<ShownProperty> all{
+      {"shear_modulus", "Shear modulus", "Pa", [](const P& p) { return p.tissue.shear_modulus; }},
+      {"poisson_ratio", "Poisson's ratio", "", [](const P& p) { return p.tissue.poisson_ratio; }},
+      {"gland_ratio", "Gland over fat", "", [](const P& p) { return p.tissue.gland_ratio; }},
+      {"skin_stiffness", "Skin stiffness", "Pa mm",
+       [](const P& p) { return p.tissue.skin_stiffness; }},
+      {"chest_stiffness", "Springs on the chest wall", "Pa/mm",
+       [](const P& p) { return p.chest_stiffness; }},
+      {"lateral_chest_ratio", "Springs at the side over those in front", "",
+       [](const P& p) { return p.lateral_chest_ratio; }},
+      {"cut_plane_stiffness", "Springs on cut planes", "Pa/mm",
+       [](const P& p) { return p.cut_plane_stiffness; }}};
+  return all;
+}
+
+std::string with_unit(double value, const char* unit) {
+  return format("%.4g %s", value, unit);
+}
+
+std::vector<ReportRow> property_rows(const Json& material) {
+  const registration::SearchRanges ranges = registration::search_ranges();
+  std::vector<ReportRow> rows;
+  for (const ShownProperty& property : shown_properties()) {
+    const auto found = material.find(property.key);
+    if (found == material.end())
+      continue;
+    const auto [low, high] = std::minmax({property.get(ranges.from), property.get(ranges.to)});
+    rows.push_back(
+        {property.name, with_unit(found->get<double>(), property.unit),
+         "searched from " + with_unit(low, "") + "to " + with_unit(high, property.unit)});
+  }
+  if (const auto tilt = material.find("supine_tilt"); tilt != material.end() && tilt->size() == 2) {
+    const double most = ranges.to.tilt.degrees()[0];
+    rows.push_back({"Tilt of supine gravity",
+                    format("%.1f degrees to the left, %.1f to the head", (*tilt)[0].get<double>(),
+                           (*tilt)[1].get<double>()),
+                    format("searched from %.0f to %.0f degrees", -most, most)});
+  }
+  return rows;
+}
+
+} // namespace
+
+std::optional<output::ReportImages>
+report_images(const PerPosition<registration::OriginalImage>& originals) {
+  output::ReportImages shown;
+  for (const Position position : both_positions) {
+    if (originals[position].breast.values.empty())
+      return {};
+    shown.images[position] = &originals[position].image;
+    shown.masks[position] = &originals[position].breast;
+  }
+  return shown;
+}
+
+void write_result_report(const std::filesystem::path& folder,
+                         const std::optional<output::ReportImages>& images) {
+  std::ifstream stream(folder / "summary.json");
+  const Json summary = Json::parse(stream, nullptr, false);
+  const Json material = summary.is_object() ? summary.value("material", Json::object()) : Json();
+  output::write_report(folder, property_rows(material), images);
+}
+
+} // namespace prosup::pipeline
