@@ -4,13 +4,15 @@
 #include <cmath>
 #include <optional>
 
+#include "body_parts.h"
+#include "doubts.h"
 #include "prosup/core/error.h"
 #include "prosup/core/parameters.h"
 #include "prosup/image/filters.h"
 #include "prosup/prepare/bias_field.h"
 #include "prosup/prepare/body_outline.h"
-#include "prosup/prepare/chest_wall.h"
 #include "prosup/prepare/tissues.h"
+#include "user_masks.h"
 
 namespace prosup::prepare {
 
@@ -20,27 +22,6 @@ namespace {
 
 using image::LabelImage;
 using image::ScalarImage;
-
-constexpr double widest_breast = 1.; // rad, to both sides of the front
-
-constexpr std::uint8_t in_front_of_wall = 1, behind_wall = 2;
-
-/// Splits the body at the chest wall.
-LabelImage front_and_chest(const LabelImage& body, const TrunkSurface& chest) {
-  LabelImage parts(body.grid);
-  const auto& size = body.grid.size;
-  for (std::size_t k = 0; k < size[2]; ++k)
-    for (std::size_t j = 0; j < size[1]; ++j)
-      for (std::size_t i = 0; i < size[0]; ++i) {
-        if (body(i, j, k) == 0)
-          continue;
-        const image::Point<3> p = body.grid.physical(double(i), double(j), double(k));
-        const TrunkAxis& axis = chest.grid.axis;
-        const bool behind = axis.radius(p) < chest(axis.angle(p), p[2]);
-        parts(i, j, k) = behind ? behind_wall : in_front_of_wall;
-      }
-  return parts;
-}
 
 /// Voxels of tissue in front of the chest, more than `skin` mm below air, where breasts are: what
 /// lies further to the sides is muscle and arm pit.
@@ -66,39 +47,6 @@ LabelImage inner_breast(const LabelImage& parts, const TrunkAxis& axis, double s
 double volume(const LabelImage& labels, unsigned label) {
   const auto n = std::count(labels.values.begin(), labels.values.end(), label);
   return double(n) * labels.grid.voxel_volume() / 1000.;
-}
-
-/// How sure chest wall and tissues are.
-void judge(const ChestWall& wall, const Tissues& tissues, Confidence& confidence) {
-  constexpr double weak_contrast = 0.1;
-  constexpr double too_weak = 0.25;       // share of the chest wall
-  constexpr double least_separation = 2.; // standard deviations
-  const TrunkGrid& grid = wall.surface.grid;
-  std::size_t n = 0, n_weak = 0;
-  for (std::size_t column = 0; column < wall.edge.size(); ++column) {
-    if (std::abs(grid.angle(column % grid.n_columns)) > widest_breast ||
-        wall.edge[column] == ChestWall::no_edge)
-      continue;
-    ++n;
-    n_weak += wall.edge[column] < weak_contrast;
-  }
-  confidence.weak_edge = n == 0 ? 1. : double(n_weak) / double(n);
-  confidence.separation = tissues.separation();
-  if (wall.fat.is_doubtful)
-    confidence.doubts.push_back(
-        std::string("it is not clear whether fat is bright or suppressed; it was taken as ") +
-        (wall.fat.is_bright ? "bright" : "suppressed") +
-        ", and 'Preparation/Contrast' says which is right.");
-  if (confidence.weak_edge > too_weak)
-    confidence.doubts.push_back(format(
-        "the chest wall has little contrast on %.0f %% of its front; look at the green line in "
-        "the pictures, and correct the labels where it is wrong.",
-        100. * confidence.weak_edge));
-  if (confidence.separation < least_separation)
-    confidence.doubts.push_back(
-        format("fat and gland differ by %.1f standard deviations only; look at the red lines in "
-               "the pictures.",
-               confidence.separation));
 }
 
 } // namespace
@@ -135,8 +83,26 @@ Contrast Preparation::contrast_of(const ScalarImage& scan) const {
   return looks_like_ct(scan) ? Contrast::ct : Contrast::t1; // fat is looked at later
 }
 
-PreparedScan Preparation::run(ScalarImage scan, const Log& log) const {
+ChestWall Preparation::wall_of(const ChestImage& image, const TrunkAxis& axis,
+                               const UserMasks& masks, PreparedScan& result) const {
+  const bool is_told = image.is_ct || contrast_ != "automatic";
+  const auto found = [&] {
+    return find_chest_wall(image, axis,
+                           is_told ? std::optional(fat_is_bright(result.contrast)) : std::nullopt);
+  };
+  ChestWall wall;
+  if (!masks.chest || !is_told) // the search also tells whether fat is bright
+    wall = found();
+  else
+    wall.fat.is_bright = fat_is_bright(result.contrast);
+  if (!is_told)
+    result.contrast = wall.fat.is_bright ? Contrast::t1 : Contrast::t1_fat_suppressed;
+  return masks.chest ? wall_of_mask(*masks.chest, axis, wall.fat) : wall;
+}
+
+PreparedScan Preparation::run(ScalarImage scan, const Log& log, const UserMasks& given) const {
   PreparedScan result;
+  const UserMasks masks = on_grid(given, scan.grid);
   result.contrast = contrast_of(scan);
   const bool is_ct = result.contrast == Contrast::ct;
   log.progress("  outline of the body");
@@ -147,20 +113,16 @@ PreparedScan Preparation::run(ScalarImage scan, const Log& log) const {
   }
   log.progress("  chest wall");
   const TrunkAxis axis = find_trunk_axis(outline.body);
-  const ChestImage chest_image{scan, outline.body, outline.air, is_ct};
-  const bool is_told = is_ct || contrast_ != "automatic";
-  const ChestWall wall = find_chest_wall(
-      chest_image, axis, is_told ? std::optional(fat_is_bright(result.contrast)) : std::nullopt);
-  if (!is_told)
-    result.contrast = wall.fat.is_bright ? Contrast::t1 : Contrast::t1_fat_suppressed;
+  const ChestWall wall = wall_of({scan, outline.body, outline.air, is_ct}, axis, masks, result);
   log.line("  " + describe(result.contrast) +
            (contrast_ == "automatic" ? ", as recognised" : ", as given"));
-  const LabelImage parts = front_and_chest(outline.body, wall.surface);
+  const LabelImage parts = front_and_chest(outline.body, wall.surface, masks);
   const LabelImage front = image::select_labels(parts, {in_front_of_wall});
   require_whole_front(front);
   log.progress("  fat and gland");
-  const LabelImage inner = inner_breast(parts, axis, skin_);
-  const Tissues tissues = find_tissues({scan, inner, is_ct, wall.fat.is_bright});
+  const TissueImage inner{scan, inner_breast(parts, axis, skin_), is_ct, wall.fat.is_bright};
+  const Tissues tissues =
+      masks.gland ? tissues_of_mask(inner, parts, *masks.gland) : find_tissues(inner);
   const image::VoxelBox box =
       breast_box(front, wall.surface, enumerator<Side>(side_, side_names()), margin_);
   result.labels = image::part_of(labels_of(parts, tissues.gland), box);
@@ -168,7 +130,7 @@ PreparedScan Preparation::run(ScalarImage scan, const Log& log) const {
   result.gland = image::part_of(tissues.fraction, box);
   result.fat_volume = volume(result.labels, labels_.fat());
   result.gland_volume = volume(result.labels, labels_.gland);
-  judge(wall, tissues, result.confidence);
+  result.confidence = judge(wall, tissues);
   return result;
 }
 

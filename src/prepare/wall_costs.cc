@@ -13,6 +13,7 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double thinnest_chest = 15.;        // mm
 constexpr double skin_thickness = 2.;         // mm
 constexpr double fat_from = 4., fat_to = 14.; // mm below the skin
+constexpr double most_below_typical = 0.4;    // of the logarithm of fat
 constexpr double least_contrast = -0.3;
 constexpr double least_front = 2., least_behind = 2.; // mm
 
@@ -99,6 +100,19 @@ FrontTissue find_front_tissue(const Profiles& profiles, bool fat_is_bright) {
     if (std::isnan(fat))
       fat = typical;
   return tissue;
+}
+
+bool exclude_muscle(FrontTissue& tissue, bool fat_is_bright) {
+  if (!fat_is_bright)
+    return false; // suppressed fat may be uneven
+  const double least = quantile_of(tissue.fat.values, 0.5) - most_below_typical;
+  bool is_changed = false;
+  for (double& fat : tissue.fat.values)
+    if (fat < least) {
+      fat = least;
+      is_changed = true;
+    }
+  return is_changed;
 }
 
 SurfaceCosts wall_costs(const Profiles& profiles, const FrontTissue& tissue, bool fat_is_bright,

@@ -14,6 +14,10 @@ struct FrontTissue {
 
 FrontTissue find_front_tissue(const Profiles& profiles, bool fat_is_bright);
 
+/// Where bright fat is missing below the skin, what was taken for it is muscle: fat that is much
+/// darker than elsewhere is set to the darkest that it can be. @returns whether there was any.
+bool exclude_muscle(FrontTissue& tissue, bool fat_is_bright);
+
 /// How the costs of a wall between the samples i - 1 and i are made; lengths in mm.
 struct WallWindows {
   double front = 7.;      ///< in front, that has to be fat

@@ -19,6 +19,13 @@ struct FatSign {
   static constexpr double middle = 0.43, doubtful = 0.08;
 };
 
+/// Where a wall is not as chests are.
+struct Departure {
+  double area = 0.;    ///< cm^2
+  double largest = 0.; ///< mm, positive to the front
+  Point<3> position;   ///< of the largest, LPS, mm
+};
+
 /// The front of the chest: of pectoral and serratus muscle, ribs and sternum.
 struct ChestWall {
   TrunkSurface surface;
@@ -28,6 +35,11 @@ struct ChestWall {
   std::vector<double> edge;
   static constexpr double no_edge = -1e3;
   FatSign fat; ///< as told, or as found
+  /// Hills that were taken away.
+  Departure bridged;
+  /// More than 16 mm from a smooth chest, within 50 degrees of the front and 8 mm from the ends of
+  /// the image.
+  Departure departure;
 };
 
 /// What the chest wall is searched in.
@@ -47,9 +59,12 @@ struct ChestImage {
 /// below the skin in (r + a, r + b), so that muscle, heart and lung cannot lie in front. Fat below
 /// the skin is the median (the 35th percentile where it is dark) of u at depths of 4 to 14 mm,
 /// smoothed over neighbouring columns. Tissue beyond a gap of air, such as a breast that hangs
-/// over, does not count. Then fine, in columns of 1 degree and 2 mm with levels of 0.5 mm within 8
-/// mm of the smoothed coarse surface, with means over 3 mm; that follows the edge.
-/// If it is not told whether fat is bright, both are tried on the coarse level.
+/// over, does not count. Gland of the intensity of muscle that lies on the chest makes a hill of
+/// this surface. A hill is what stands out from a smooth chest (polynomials of degree 6 in theta
+/// and 3 in z, fitted robustly) and is closed all around; if it is 11 mm high or more, the surface
+/// is a membrane over its surroundings there. Then fine, in columns of 1 degree and 2 mm with
+/// levels of 0.5 mm within 8 mm of the smoothed coarse surface, with means over 3 mm; that follows
+/// the edge. If it is not told whether fat is bright, both are tried on the coarse level.
 /// @throws Error if the body is nowhere thick enough for a chest.
 ChestWall find_chest_wall(const ChestImage& image, const TrunkAxis& axis,
                           std::optional<bool> fat_is_bright);

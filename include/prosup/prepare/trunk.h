@@ -28,6 +28,9 @@ struct TrunkAxis {
 /// plane are narrower.
 TrunkAxis find_trunk_axis(const image::LabelImage& body);
 
+/// Breasts lie within this angle to both sides of the front, rad.
+inline constexpr double widest_breast = 1.;
+
 /// A grid of columns along r, each at an angle and a height z.
 struct TrunkGrid {
   TrunkAxis axis;

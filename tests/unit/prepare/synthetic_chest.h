@@ -23,20 +23,24 @@ inline SyntheticContrast hounsfield() {
 
 /// A chest with two breasts, whose surfaces are known: a cylinder of muscle of radius 100 mm about
 /// x = 0, y = 130 with a lung in it, 20 mm of fat in front, and two half ellipsoids of fat with a
-/// ball of gland in each. It ends 60 mm behind the front of the chest, within the lung.
+/// ball of gland in each, at y = -5 or where it is told. It ends 60 mm behind the front of the
+/// chest, within the lung. Small and of coarse voxels, since many tests go through it.
 struct SyntheticChest {
   static constexpr double chest_radius = 100., skin_radius = 120., lung_radius = 82.;
-  static constexpr double axis_y = 130., breast_x = 60., gland_radius = 22.;
+  static constexpr double axis_y = 130., breast_x = 60., gland_radius = 18.;
 
+  double gland_y;
   image::ScalarImage image;
   image::LabelImage labels; ///< 0 air, 1 chest, 2 fat, 3 gland
 
-  explicit SyntheticChest(const SyntheticContrast& contrast = {}, double bias = 0.) {
+  explicit SyntheticChest(const SyntheticContrast& contrast = {}, double bias = 0.,
+                          double gland_y_ = -5.)
+      : gland_y(gland_y_) {
     image::VoxelGrid grid;
-    grid.size = {110, 65, 45};
-    grid.spacing[0] = grid.spacing[1] = 2.5;
-    grid.spacing[2] = 3.;
-    grid.origin = image::Point<3>(-136., -70., -66.);
+    grid.size = {82, 51, 18};
+    grid.spacing[0] = grid.spacing[1] = 3.;
+    grid.spacing[2] = 3.5;
+    grid.origin = image::Point<3>(-121.5, -60., -29.75);
     image = image::ScalarImage(grid);
     labels = image::LabelImage(grid);
     std::mt19937 generator(1);
@@ -65,7 +69,7 @@ struct SyntheticChest {
     return mask;
   }
 
-  static std::uint8_t label(const image::Point<3>& p) {
+  std::uint8_t label(const image::Point<3>& p) const {
     const double r = std::hypot(p[0], p[1] - axis_y);
     if (r < chest_radius)
       return 1;
@@ -75,17 +79,18 @@ struct SyntheticChest {
   }
 
 private:
-  static double distance_to_gland(const image::Point<3>& p) {
-    return std::sqrt(std::pow(std::abs(p[0]) - breast_x, 2) + std::pow(p[1] + 5., 2) + p[2] * p[2]);
+  double distance_to_gland(const image::Point<3>& p) const {
+    return std::sqrt(std::pow(std::abs(p[0]) - breast_x, 2) + std::pow(p[1] - gland_y, 2) +
+                     p[2] * p[2]);
   }
 
   static bool in_breast(const image::Point<3>& p) {
     return std::pow((std::abs(p[0]) - breast_x) / 38., 2) + std::pow((p[1] - 30.) / 80., 2) +
-               std::pow(p[2] / 50., 2) <
+               std::pow(p[2] / 27., 2) <
            1.;
   }
 
-  static double intensity(const image::Point<3>& p, const SyntheticContrast& contrast) {
+  double intensity(const image::Point<3>& p, const SyntheticContrast& contrast) const {
     switch (label(p)) {
     case 0:
       return contrast.air;
@@ -99,8 +104,8 @@ private:
   }
 
   /// The mean over a voxel.
-  static double blurred(const image::Point<3>& p, const SyntheticContrast& contrast,
-                        const image::VoxelGrid& grid) {
+  double blurred(const image::Point<3>& p, const SyntheticContrast& contrast,
+                 const image::VoxelGrid& grid) const {
     double sum = 0.;
     for (const double dx : {-0.25, 0.25})
       for (const double dy : {-0.25, 0.25})
