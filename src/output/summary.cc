@@ -47,7 +47,10 @@ void set(Json& json, const char* name, const std::optional<PreparationSummary>& 
                                  {"fat_ml", scan->fat_volume},
                                  {"gland_ml", scan->gland_volume},
                                  {"weak_chest_edge", scan->weak_edge},
-                                 {"tissue_separation", scan->separation}};
+                                 {"bridged_chest_cm2", scan->bridged_area},
+                                 {"odd_chest_cm2", scan->odd_area},
+                                 {"tissue_separation", scan->separation},
+                                 {"doubts", scan->doubts}};
 }
 
 void set(Json& json, const char* name, const std::optional<AlignmentSummary>& alignment) {

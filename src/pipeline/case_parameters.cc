@@ -14,7 +14,7 @@ std::string capitalized(std::string word) {
   return word;
 }
 
-void require(const std::string& value, const std::string& entry, const std::string& option) {
+void require_file(const std::string& value, const std::string& entry, const std::string& option) {
   if (value.empty())
     throw Error("No file is given for '" + entry +
                 "'; name it in the parameter file (section "
@@ -77,18 +77,21 @@ void CaseParameters::resolve(const std::filesystem::path& folder, ParameterHandl
 }
 
 void CaseParameters::require_pair() const {
-  for (const Position position : both_positions) {
-    const std::string name = name_of(position);
-    require(files_.images[position], "Case/" + capitalized(name) + " image",
-            "--" + name + "-image");
-    require_labels(position);
-  }
+  for (const Position position : both_positions)
+    require(position);
+}
+
+void CaseParameters::require(Position position) const {
+  const std::string name = name_of(position);
+  require_file(files_.images[position], "Case/" + capitalized(name) + " image",
+               "--" + name + "-image");
+  require_labels(position);
 }
 
 void CaseParameters::require_labels(Position position) const {
   const std::string name = name_of(position);
-  require(files_.labels[position], "Case/" + capitalized(name) + " labels",
-          "--" + name + "-labels");
+  require_file(files_.labels[position], "Case/" + capitalized(name) + " labels",
+               "--" + name + "-labels");
 }
 
 } // namespace prosup::pipeline

@@ -83,6 +83,9 @@ std::vector<Command> all_commands() {
   const OptionNames images{"--prone-image", "--supine-image"};
   const OptionNames gravity{"--prone-gravity", "--supine-gravity"};
   const OptionNames simulation{"--chest", "--method"};
+  const OptionNames scans{"--prone",        "--supine",        "--series",       "--side",
+                          "--contrast",     "--prone-chest",   "--prone-breast", "--prone-gland",
+                          "--supine-chest", "--supine-breast", "--supine-gland"};
   const auto all_of = [](std::initializer_list<OptionNames> lists) {
     OptionNames names;
     for (const OptionNames& list : lists)
@@ -92,8 +95,8 @@ std::vector<Command> all_commands() {
   const OptionNames one_breast = all_of({images, labels, {"--state"}, gravity, simulation});
   std::vector<Command> commands{
       with_parameters(
-          "register", "Both images and masks to the registered unloaded pair",
-          all_of({images, labels, {"--landmarks"}, gravity, simulation, {"--similarity"}}),
+          "register", "Both images and masks, or scans, to the registered unloaded pair",
+          all_of({images, labels, scans, {"--landmarks"}, gravity, simulation, {"--similarity"}}),
           run_register, {true, true}),
       with_parameters(
           "check", "What is wrong with the input of register, in seconds",
@@ -103,8 +106,8 @@ std::vector<Command> all_commands() {
                       all_of({one_breast, {"--landmarks"}}), run_unload, {true, true}),
       with_parameters("load", "One unloaded mask (and image) or mesh to its loaded configuration",
                       one_breast, run_load, {true, true}),
-      with_parameters("prepare", "Scans to images and labels that register takes",
-                      {"--prone", "--supine", "--series", "--side", "--contrast"}, run_prepare),
+      with_parameters("prepare", "Scans to images and labels that register takes", scans,
+                      run_prepare),
       with_parameters("mesh", "One mask to a mesh, with a quality report",
                       all_of({labels, {"--state"}}), run_mesh),
       with_parameters("phantom", "Images of a numerical phantom, with their truth", gravity,

@@ -13,6 +13,7 @@
 #include "prosup/pipeline/result_images.h"
 #include "prosup/registration/verdict.h"
 #include "result_report.h"
+#include "scan_stage.h"
 
 namespace prosup::pipeline {
 
@@ -65,15 +66,18 @@ std::map<std::string, double> named(const MechanicalProperties& properties) {
 } // namespace
 
 RegisterPipeline::RegisterPipeline(const CaseParameters& case_files,
+                                   const ScanStageParameters& scans,
                                    const registration::RegistrationParameters& parameters,
                                    const ResultParameters& results,
                                    const CheckpointParameters& checkpoint,
                                    const ParameterHandler& all, const ResultTarget& output,
                                    MPI_Comm world)
-    : case_files_(case_files), checks_(parameters.checks), results_(results),
+    : case_files_(case_files), scans_(scans.scans), checks_(parameters.checks),
+      similarity_(parameters.similarity), results_(results),
       aligns_(parameters.pre_alignment.wanted()), run_("register", all, output, world),
-      registration_(parameters, world, run_.log()) {
-  run_.summary().metric = parameters.similarity.metric;
+      registration_(parameters, world, run_.log()),
+      preparation_(std::make_unique<ScanStage>(scans, "prepared", run_, world)) {
+  run_.summary().metric = similarity_.make_metric()->name();
   run_.summary().steps = 0;
   registration_.set_observer(
       [this](const registration::SimilarityRecord& record) { observe(record); });
@@ -89,6 +93,7 @@ RegisterPipeline::~RegisterPipeline() = default;
 
 Outcome RegisterPipeline::run() {
   using registration::Stage;
+  prepare_scans();
   run_.stage(stage::read, [&] { read(); });
   restart();
   if (aligns_ && registration_.stage() < Stage::built)
@@ -112,12 +117,34 @@ Outcome RegisterPipeline::run() {
   return dealii::Utilities::MPI::broadcast(registration_.ranks().world(), outcome_);
 }
 
-void RegisterPipeline::read() {
-  on_root(registration_.ranks().world(), [&] {
-    case_files_.require_pair();
-    landmarks_.read(case_files_, run_.remarks());
+void RegisterPipeline::prepare_scans() {
+  on_every_rank(registration_.ranks().world(), [&] {
+    scans_.require_no_contradiction(case_files_.files());
+    for (const Position position : both_positions)
+      if (!scans_.gives(position))
+        case_files_.require(position);
   });
-  registration_.read(case_files_.files(), run_.remarks());
+  for (const Position position : both_positions)
+    if (scans_.gives(position))
+      preparation_->run(position);
+  quality_.scene_findings = preparation_->doubts();
+  if (!similarity_.is_automatic() || !preparation_->contrasts_differ())
+    return;
+  const auto metric = similarity_.make_metric(true);
+  run_.summary().metric = metric->name();
+  run_.log().line("The scans have different contrasts: they are compared by " + metric->name());
+  registration_.set_metric(metric);
+}
+
+void RegisterPipeline::read() {
+  on_root(registration_.ranks().world(), [&] { landmarks_.read(case_files_, run_.remarks()); });
+  registration::CaseFiles files = case_files_.files();
+  for (const Position position : both_positions)
+    if (scans_.gives(position)) {
+      files.images[position] = preparation_->image(position).string();
+      files.labels[position] = preparation_->labels(position).string();
+    }
+  registration_.read(files, run_.remarks());
   on_root(registration_.ranks().world(), [&] {
     for (const Position position : both_positions)
       landmarks_.check_places(position, registration_.inputs().originals[position].breast,
@@ -263,8 +290,11 @@ void RegisterPipeline::write() {
 
 Outcome run_register(const AllParameters& parameters, const ParameterHandler& all,
                      const ResultTarget& output, MPI_Comm world) {
-  return RegisterPipeline(parameters.case_files, parameters.registration, parameters.results,
-                          parameters.checkpoint, all, output, world)
+  return RegisterPipeline(parameters.case_files,
+                          {parameters.scans, parameters.preparation, parameters.registration.labels,
+                           parameters.results.pictures},
+                          parameters.registration, parameters.results, parameters.checkpoint, all,
+                          output, world)
       .run();
 }
 

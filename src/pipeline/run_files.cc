@@ -31,7 +31,8 @@ Names of_register() {
               output::registration_h5,
               output::registration_xdmf,
               output::report_html,
-              "unloaded_radius_95.nii.gz"};
+              "unloaded_radius_95.nii.gz",
+              "prepared/"};
   add(names, slices());
   for (const Position position : both_positions) {
     const std::string state = name_of(position), other_state = name_of(other(position));
@@ -85,9 +86,11 @@ std::vector<fs::path> files_read(const AllParameters& parameters, const fs::path
     for (const auto* kind : {&files.images, &files.labels, &files.excluded})
       for (const fs::path& part : image::files_of_image((*kind)[position]))
         all.push_back(part);
+  const ScanParameters& scans = parameters.scans;
   for (const Position position : both_positions)
-    for (const fs::path& part : image::files_of_image(parameters.scans.scans[position]))
-      all.push_back(part);
+    for (const auto* kind : {&scans.scans, &scans.chest, &scans.breast, &scans.gland})
+      for (const fs::path& part : image::files_of_image((*kind)[position]))
+        all.push_back(part);
   return all;
 }
 

@@ -2,7 +2,9 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <vector>
 
 #include "prosup/core/checksum.h"
 #include "prosup/core/parameter_entries.h"
@@ -21,6 +23,8 @@ bool is_input_file(const std::string& entry) {
     for (const char* end : {" image", " labels", " excluded", "/Landmarks"})
       if (ends_with(entry, end))
         return true;
+  if (entry.rfind("Scans/", 0) == 0)
+    return entry != "Scans/Series";
   return entry == "Single state/Mesh";
 }
 
@@ -28,7 +32,16 @@ bool is_input_file(const std::string& entry) {
 std::string digest_of_input(const std::string& file) {
   if (file.empty())
     return "none";
-  return std::filesystem::exists(file) ? digest_text(image::files_of_image(file)) : "missing";
+  if (!std::filesystem::exists(file))
+    return "missing";
+  if (!std::filesystem::is_directory(file))
+    return digest_text(image::files_of_image(file));
+  std::vector<std::filesystem::path> slices; // of a folder of DICOM files
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(file))
+    if (entry.is_regular_file())
+      slices.push_back(entry.path());
+  std::sort(slices.begin(), slices.end());
+  return digest_text(slices);
 }
 
 std::string line_of(const std::string& name, const std::string& value) {

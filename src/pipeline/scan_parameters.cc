@@ -1,11 +1,26 @@
 #include "prosup/pipeline/scan_parameters.h"
 
+#include <tuple>
+
 #include "prosup/core/error.h"
 #include "prosup/core/parameters.h"
 
 namespace prosup::pipeline {
 
 using namespace dealii;
+
+namespace {
+
+const std::vector<std::string>& mask_names() {
+  static const std::vector<std::string> names{"chest", "breast", "gland"};
+  return names;
+}
+
+std::string entry_of(Position position, const std::string& mask) {
+  return (position == Position::prone ? "Prone " : "Supine ") + mask;
+}
+
+} // namespace
 
 ScanParameters::ScanParameters() : ParameterAcceptor("Scans") {}
 
@@ -18,6 +33,22 @@ void ScanParameters::declare_parameters(ParameterHandler& prm) {
                           "DICOM files. May be empty.",
                       Patterns::Anything());
   }
+  for (const Position position : both_positions)
+    for (const auto& [name, file, text] :
+         {std::tuple(
+              "chest", &chest[position],
+              "chest, or of its muscle, that replaces the search of the chest wall: its front "
+              "is the chest wall, and what is behind it is chest"),
+          std::tuple(
+              "breast", &breast[position],
+              "breast that limits its tissue: the rest of the body is chest, but for 5 mm of "
+              "skin on the breast"),
+          std::tuple("gland", &gland[position],
+                     "gland that replaces the classification of fat and gland")})
+      prm.add_parameter(entry_of(position, name), *file,
+                        "Mask of the " + std::string(text) +
+                            ". Not 0 where it applies, on any voxels. May be empty.",
+                        Patterns::Anything());
   prm.add_parameter("Series", series_,
                     "Number of the series to take from a folder of DICOM files, as in the list "
                     "that is printed: one for both folders, or two, prone and supine. Empty: the "
@@ -31,12 +62,36 @@ void ScanParameters::parse_parameters(ParameterHandler&) {
 }
 
 void ScanParameters::resolve(const std::filesystem::path& folder, ParameterHandler& prm) {
-  resolve_files(prm, get_section_name(), {"Prone", "Supine"}, folder);
+  std::vector<std::string> entries{"Prone", "Supine"};
+  for (const Position position : both_positions)
+    for (const std::string& mask : mask_names())
+      entries.push_back(entry_of(position, mask));
+  resolve_files(prm, get_section_name(), entries, folder);
 }
 
 void ScanParameters::require_any() const {
   if (scans.prone.empty() && scans.supine.empty())
     throw Error("No scan is given; name one with --prone FILE or --supine FILE, or both.");
+}
+
+void ScanParameters::require_no_contradiction(const registration::CaseFiles& files) const {
+  for (const Position position : both_positions) {
+    const std::string name = name_of(position);
+    if (!gives(position)) {
+      for (const auto* mask : {&chest[position], &breast[position], &gland[position]})
+        if (!mask->empty())
+          throw Error("The mask '" + *mask + "' is for the " + name +
+                      " scan, which is not given; name the scan with --" + name +
+                      " FILE, or leave the mask out.");
+      continue;
+    }
+    for (const auto* given : {&files.labels[position], &files.images[position]})
+      if (!given->empty())
+        throw Error("For " + name + " both a scan to prepare ('" + scans[position] +
+                    "') and an image or labels that are ready ('" + *given +
+                    "') are given; leave out either --" + name + ", or --" + name +
+                    "-image and --" + name + "-labels.");
+  }
 }
 
 unsigned ScanParameters::series(Position position) const {

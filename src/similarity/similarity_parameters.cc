@@ -18,6 +18,8 @@ using namespace dealii;
 
 namespace {
 
+constexpr const char* automatic = "automatic";
+
 using Metrics = std::vector<std::shared_ptr<Metric>>;
 
 std::vector<std::string> names_of(const Metrics& metrics, bool for_different_contrast = false) {
@@ -49,20 +51,23 @@ std::vector<std::string> metric_names(bool for_different_contrast) {
 
 SimilarityParameters::SimilarityParameters()
     : ParameterAcceptor("Similarity"), metrics_(all_metrics()) {
-  metric = metrics_.front()->name();
+  metric = automatic;
 }
 
 void SimilarityParameters::declare_parameters(ParameterHandler& prm) {
-  std::vector<std::string> descriptions;
+  std::vector<std::string> descriptions, allowed{automatic};
   for (const auto& known : metrics_)
     descriptions.push_back(known->name() + " (" + known->description() + ")");
-  prm.add_parameter("Metric", metric,
-                    "Measure of the difference between the two images, which is minimised. "
-                    "Allowed: " +
-                        joined(descriptions) +
-                        ". For images of different contrast, such as MR and CT: " +
-                        joined(names_of(metrics_, true), " or ") + ".",
-                    one_of(names_of(metrics_)));
+  for (const std::string& name : names_of(metrics_))
+    allowed.push_back(name);
+  prm.add_parameter(
+      "Metric", metric,
+      "Measure of the difference between the two images, which is minimised. "
+      "Allowed: " +
+          joined(descriptions) + ". For images of different contrast, such as MR and CT: " +
+          joined(names_of(metrics_, true), " or ") + ". automatic: " + metrics_.front()->name() +
+          ", or " + LocalCorrelation().name() + " if scans of different contrast are prepared.",
+      one_of(allowed));
   prm.add_parameter("Boundary layers", n_layers,
                     "Layers of voxels around the mesh that move with their nearest element. With "
                     "them the skin feels both sides of its edge in the image. Units: voxels.",
@@ -82,8 +87,14 @@ void SimilarityParameters::add_metric(std::shared_ptr<Metric> new_metric) {
   metrics_.push_back(std::move(new_metric));
 }
 
-std::shared_ptr<const Metric> SimilarityParameters::make_metric() const {
-  const auto found = find(metrics_, metric);
+bool SimilarityParameters::is_automatic() const {
+  return metric == automatic;
+}
+
+std::shared_ptr<const Metric> SimilarityParameters::make_metric(bool different_contrast) const {
+  const auto found = !is_automatic()      ? find(metrics_, metric)
+                     : different_contrast ? find(metrics_, LocalCorrelation().name())
+                                          : metrics_.begin();
   if (found == metrics_.end())
     throw Error("There is no similarity metric '" + metric +
                 "'; allowed are: " + joined(names_of(metrics_), ", ") + ".");

@@ -42,5 +42,32 @@ TEST(Prepare, MakesTheInputOfARegistration) {
   EXPECT_EQ(mesh.exit_code, 0) << mesh.transcript();
 }
 
+// The supine scan is prepared, the prone labels are given; a doubt about the scan is a reason of
+// the verdict. A chest that is drawn wins.
+TEST(Prepare, IsAStageOfARegistration) {
+  const TemporaryFolder folder;
+  const auto output = folder / "case";
+  const std::vector<std::string> arguments{"register", PROSUP_PRM_FOLDER "/tests/small.prm",
+                                           "--set",    "Case/Supine image=",
+                                           "--set",    "Case/Supine labels=",
+                                           "--set",    "Material update/Method=none",
+                                           "--set",    "Image forces/Levels=6",
+                                           "--supine", data_file("small/supine.nrrd")};
+  std::vector<std::string> with_output = arguments;
+  with_output.insert(with_output.end(), {"--output", output});
+  const ProgramRun run = run_prosup(with_output, 2);
+  ASSERT_EQ(run.exit_code, 0) << run.transcript();
+  const Json summary = read_json(output / "summary.json");
+  EXPECT_EQ(summary.at("preparation").size(), 1u);
+  EXPECT_EQ(summary.at("preparation").at("supine").at("contrast"), "t1");
+  EXPECT_EQ(summary.at("metric"), "ssd");
+  EXPECT_TRUE(std::filesystem::exists(output / "prepared/supine_axial.png"));
+  const image::LabelImage labels = image::read_labels(output / "prepared/supine_labels.nii.gz");
+  const image::LabelImage truth = image::read_labels(data_file("small/supine_labels.mha"));
+  EXPECT_GT(dice_from(labels, truth, 2), 0.9);
+  EXPECT_LT(summary.at("tre").at("image_forces").at("mean").get<double>(), 3.); // mm, of 10.4
+  expect_all_files_known(output, arguments);
+}
+
 } // namespace
 } // namespace prosup::tests

@@ -49,8 +49,11 @@ struct AlignmentSummary {
 struct PreparationSummary {
   std::string contrast;                      ///< as the parameter
   double fat_volume = 0., gland_volume = 0.; ///< ml
-  double weak_edge = 0.;  ///< share of the chest wall under the breasts with little contrast
-  double separation = 0.; ///< of fat and gland, in standard deviations
+  double weak_edge = 0.;    ///< share of the chest wall under the breasts with little contrast
+  double bridged_area = 0.; ///< of the wall, continued behind tissue that looks like muscle, cm^2
+  double odd_area = 0.;     ///< of the wall, far from a smooth chest, cm^2
+  double separation = 0.;   ///< of fat and gland, in standard deviations
+  std::vector<std::string> doubts; ///< one sentence each
 };
 
 /// How far a registration can be trusted.

@@ -25,6 +25,8 @@ public:
 
   /// @throws Error if an input that `register` needs is not given.
   void require_pair() const;
+  /// @throws Error if image or labels of a position are not given.
+  void require(Position position) const;
   /// @throws Error if the labels of a position are not given.
   void require_labels(Position position) const;
 

@@ -16,19 +16,23 @@
 #include "prosup/pipeline/outcome.h"
 #include "prosup/pipeline/result_parameters.h"
 #include "prosup/pipeline/result_run.h"
+#include "prosup/pipeline/scan_parameters.h"
 #include "prosup/registration/quality.h"
 #include "prosup/registration/registration.h"
 
 namespace prosup::pipeline {
 
 class Checkpoints;
+class ScanStage;
+struct ScanStageParameters;
 
 /// `prosup register`: a Registration whose stages are timed, evaluated at landmarks and written to
 /// a result folder. run() reads like the data flow. Collective on `world`.
 class RegisterPipeline {
 public:
-  /// Keeps references to all but the target. `all` has the values of all parameters, for used.prm.
-  RegisterPipeline(const CaseParameters& case_files,
+  /// Keeps references to all but the target and the struct of `scans`. `all` has the values of all
+  /// parameters, for used.prm.
+  RegisterPipeline(const CaseParameters& case_files, const ScanStageParameters& scans,
                    const registration::RegistrationParameters& parameters,
                    const ResultParameters& results, const CheckpointParameters& checkpoint,
                    const dealii::ParameterHandler& all, const ResultTarget& output, MPI_Comm world);
@@ -44,6 +48,7 @@ private:
              const std::function<void()>& work);
   void restart();
   void keep();
+  void prepare_scans();
   void read();
   void align();
   void check();
@@ -61,11 +66,14 @@ private:
   void judge();
 
   const CaseParameters& case_files_;
+  const ScanParameters& scans_;
   const registration::SceneCheck& checks_;
+  const similarity::SimilarityParameters& similarity_;
   const ResultParameters& results_;
   const bool aligns_;
   ResultRun run_;
   registration::Registration registration_;
+  std::unique_ptr<ScanStage> preparation_;
   LandmarkEvaluation landmarks_;
   registration::RegistrationResult found_;
   registration::UncertaintyParameters::Covariances covariances_; // on rank 0

@@ -30,11 +30,13 @@ public:
   /// @throws Error if there is a metric of this name.
   void add_metric(std::shared_ptr<Metric> new_metric);
 
-  /// The selected metric, with its parameters.
+  /// The selected metric, with its parameters; if it is automatic, the first one, or local
+  /// correlation for images of `different_contrast`.
   /// @throws Error that lists the names if there is none of this name.
-  std::shared_ptr<const Metric> make_metric() const;
+  std::shared_ptr<const Metric> make_metric(bool different_contrast = false) const;
+  bool is_automatic() const;
 
-  std::string metric;    ///< name of the selected metric
+  std::string metric;    ///< name of the selected metric, or automatic
   unsigned n_layers = 2; ///< layers of voxels added around each mesh
   double margin = 5.;    ///< of the grid around both meshes, voxels
 

@@ -51,7 +51,8 @@ double value_with(const std::vector<Override>& overrides) {
 
 TEST(SimilarityParameters, MetricsHaveDifferentNames) {
   std::vector<std::string> names = metric_names();
-  EXPECT_EQ(SimilarityParameters().metric, names.front());
+  EXPECT_EQ(SimilarityParameters().make_metric()->name(), names.front());
+  EXPECT_EQ(SimilarityParameters().make_metric(true)->name(), "lncc");
   std::sort(names.begin(), names.end());
   EXPECT_EQ(std::unique(names.begin(), names.end()), names.end());
 }
@@ -63,6 +64,9 @@ TEST(SimilarityParameters, EachMetricReadsItsOwnSubsection) {
   EXPECT_EQ(value_with({"Similarity/Metric=lncc", "Similarity/nmi/Bins=16"}), present);
   EXPECT_NE(value_with({"Similarity/Metric=nmi", "Similarity/nmi/Bins=16"}),
             value_with({"Similarity/Metric=nmi"}));
+  SimilarityParameters chosen;
+  chosen.metric = "ssd";
+  EXPECT_EQ(chosen.make_metric(true)->name(), "ssd");
   expect_error([] { value_with({"Similarity/lncc/Noise=-1"}); }, {"Noise", "-1"});
   expect_error([] { value_with({"Similarity/lncc/Bins=16"}); }, {"Bins"});
 }
