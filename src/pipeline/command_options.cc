@@ -55,7 +55,7 @@ const std::vector<ParameterOption>& parameter_options() {
       {"--method", "Simulation", "Method",
        "Numerical method: " + joined(registration::method_names())},
       {"--similarity", "Similarity", "Metric",
-       "Measure of similarity: " + joined(similarity::metric_names())},
+       "Measure of similarity: automatic, " + joined(similarity::metric_names())},
   };
   return options;
 }

@@ -3,6 +3,7 @@
 #include <tuple>
 
 #include "prosup/core/error.h"
+#include "prosup/core/log.h"
 #include "prosup/core/parameters.h"
 
 namespace prosup::pipeline {
@@ -76,21 +77,22 @@ void ScanParameters::require_any() const {
 
 void ScanParameters::require_no_contradiction(const registration::CaseFiles& files) const {
   for (const Position position : both_positions) {
-    const std::string name = name_of(position);
+    const char* name = name_of(position);
     if (!gives(position)) {
       for (const auto* mask : {&chest[position], &breast[position], &gland[position]})
         if (!mask->empty())
-          throw Error("The mask '" + *mask + "' is for the " + name +
-                      " scan, which is not given; name the scan with --" + name +
-                      " FILE, or leave the mask out.");
+          throw Error(format("The mask '%s' is for the %s scan, which is not given; name the scan "
+                             "with --%s FILE, or leave the mask out.",
+                             mask->c_str(), name, name));
       continue;
     }
     for (const auto* given : {&files.labels[position], &files.images[position]})
       if (!given->empty())
-        throw Error("For " + name + " both a scan to prepare ('" + scans[position] +
-                    "') and an image or labels that are ready ('" + *given +
-                    "') are given; leave out either --" + name + ", or --" + name +
-                    "-image and --" + name + "-labels.");
+        throw Error(
+            format("For %s both a scan to prepare ('%s') and an image or labels that are ready "
+                   "('%s') are given; leave out either --%s, or --%s-image and "
+                   "--%s-labels.",
+                   name, scans[position].c_str(), given->c_str(), name, name, name));
   }
 }
 

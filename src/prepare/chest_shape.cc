@@ -145,8 +145,10 @@ ColumnMap hill_height(const ColumnMap& height, const std::vector<char>& counts) 
         reach(r, c, height(r, c));
     }
   while (!front.empty()) {
-    const auto [level, r, c] = front.top();
+    const auto top = front.top();
     front.pop();
+    const double level = std::get<0>(top);
+    const std::size_t r = std::get<1>(top), c = std::get<2>(top);
     if (level == pass(r, c))
       for_neighbours(height, r, c, [&](std::size_t i, std::size_t j) {
         if (counts[i * height.n_columns + j] != 0)

@@ -132,7 +132,8 @@ void CoarseWall::correct_shape() {
   const ColumnMap departure = above(smooth);
   const double length = double(grid().n_rows - 1) * grid().z_step;
   for (std::size_t column = 0; column < n; ++column) {
-    const double along = double(column / grid().n_columns) * grid().z_step;
+    const std::size_t row = column / grid().n_columns;
+    const double along = double(row) * grid().z_step;
     odd[column] = in_front[column] != 0 && std::abs(angle(column)) < front_angle &&
                   along > end_of_scan && along < length - end_of_scan &&
                   std::abs(departure.values[column]) > odd_departure;

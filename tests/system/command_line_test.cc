@@ -73,7 +73,7 @@ TEST(Help, OfTheCheckTakesNoFolderForResults) {
 TEST(Help, TellsDefaultsAndChoices) {
   const std::string help = run_prosup({"register", "--help"}).out;
   for (const char* text : {"--chest TEXT=sliding", "fixed, sliding, one-sided", "--method TEXT=fe",
-                           "fe, fdm", "--similarity TEXT=ssd", "ssd, nmi, lncc", "=results"})
+                           "fe, fdm", "--similarity TEXT=automatic", "ssd, nmi, lncc", "=results"})
     EXPECT_NE(help.find(text), std::string::npos) << text << " in " << help;
 }
 
