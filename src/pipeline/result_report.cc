@@ -15,26 +15,28 @@ using registration::MechanicalProperties;
 
 namespace {
 
-/// A property as summary.json names it.
+/// A property, by its place in `material` of summary.json.
 struct ShownProperty {
-  const char *key, *name, *unit;
+  const char *pointer, *name, *unit;
   double (*get)(const MechanicalProperties&);
 };
 
 const std::vector<ShownProperty>& shown_properties() {
   using P = MechanicalProperties;
   static const std::vector<ShownProperty> all{
-      {"shear_modulus", "Shear modulus", "Pa", [](const P& p) { return p.tissue.shear_modulus; }},
-      {"poisson_ratio", "Poisson's ratio", "", [](const P& p) { return p.tissue.poisson_ratio; }},
-      {"gland_ratio", "Gland over fat", "", [](const P& p) { return p.tissue.gland_ratio; }},
-      {"skin_stiffness", "Skin stiffness", "Pa mm",
+      {"/shear_modulus", "Shear modulus", "Pa", [](const P& p) { return p.tissue.shear_modulus; }},
+      {"/poisson_ratio", "Poisson's ratio", "", [](const P& p) { return p.tissue.poisson_ratio; }},
+      {"/gland_ratio", "Gland over fat", "", [](const P& p) { return p.tissue.gland_ratio; }},
+      {"/skin_stiffness", "Skin stiffness", "Pa mm",
        [](const P& p) { return p.tissue.skin_stiffness; }},
-      {"chest_stiffness", "Springs on the chest wall", "Pa/mm",
+      {"/chest_stiffness", "Springs on the chest wall", "Pa/mm",
        [](const P& p) { return p.chest_stiffness; }},
-      {"lateral_chest_ratio", "Springs at the side over those in front", "",
+      {"/lateral_chest_ratio", "Springs at the side over those in front", "",
        [](const P& p) { return p.lateral_chest_ratio; }},
-      {"cut_plane_stiffness", "Springs on cut planes", "Pa/mm",
-       [](const P& p) { return p.cut_plane_stiffness; }}};
+      {"/cut_plane_stiffness/prone", "Springs on cut planes of prone", "Pa/mm",
+       [](const P& p) { return p.cut_plane_stiffness.prone; }},
+      {"/cut_plane_stiffness/supine", "Springs on cut planes of supine", "Pa/mm",
+       [](const P& p) { return p.cut_plane_stiffness.supine; }}};
   return all;
 }
 
@@ -46,12 +48,12 @@ std::vector<ReportRow> property_rows(const Json& material) {
   const registration::SearchRanges ranges = registration::search_ranges();
   std::vector<ReportRow> rows;
   for (const ShownProperty& property : shown_properties()) {
-    const auto found = material.find(property.key);
-    if (found == material.end())
+    const Json::json_pointer place(property.pointer);
+    if (!material.contains(place))
       continue;
     const auto [low, high] = std::minmax({property.get(ranges.from), property.get(ranges.to)});
     rows.push_back(
-        {property.name, with_unit(found->get<double>(), property.unit),
+        {property.name, with_unit(material.at(place).get<double>(), property.unit),
          "searched from " + with_unit(low, "") + "to " + with_unit(high, property.unit)});
   }
   if (const auto tilt = material.find("supine_tilt"); tilt != material.end() && tilt->size() == 2) {
