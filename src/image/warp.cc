@@ -1,7 +1,6 @@
 #include "prosup/image/warp.h"
 
 #include <itkBSplineInterpolateImageFunction.h>
-#include <itkLinearInterpolateImageFunction.h>
 #include <itkNearestNeighborInterpolateImageFunction.h>
 #include <itkWarpImageFilter.h>
 
@@ -11,6 +10,7 @@
 #include "itk_bridge.h"
 #include "prosup/core/error.h"
 #include "prosup/core/text.h"
+#include "prosup/image/filters.h"
 
 namespace prosup::image {
 
@@ -23,9 +23,7 @@ using Interpolator = itk::InterpolateImageFunction<Itk, double>;
 Interpolator::Pointer interpolator(Interpolation interpolation) {
   if (interpolation == Interpolation::nearest)
     return itk::NearestNeighborInterpolateImageFunction<Itk, double>::New().GetPointer();
-  if (interpolation == Interpolation::bspline)
-    return itk::BSplineInterpolateImageFunction<Itk, double>::New().GetPointer();
-  return itk::LinearInterpolateImageFunction<Itk, double>::New().GetPointer();
+  return itk::BSplineInterpolateImageFunction<Itk, double>::New().GetPointer();
 }
 
 } // namespace
@@ -46,6 +44,8 @@ Interpolation interpolation_of(const std::string& name) {
 
 ScalarImage warp(const ScalarImage& image, const VectorImage& displacement,
                  Interpolation interpolation, float outside) {
+  if (interpolation == Interpolation::linear)
+    return warp(image, displacement, outside);
   using Filter = itk::WarpImageFilter<Itk, Itk, ItkField>;
   const auto input = as_itk(image);
   const auto field = as_itk(displacement);

@@ -48,13 +48,12 @@ void check(const WarpRequest& request) {
                 request.interpolation + "'; give one of the two.");
 }
 
-Interpolation interpolation(const WarpRequest& request, const ScalarImage& input,
-                            Remarks& remarks) {
+Interpolation interpolation(const WarpRequest& request, bool marks_regions, Remarks& remarks) {
   if (!request.interpolation.empty())
     return image::interpolation_of(request.interpolation);
   if (request.labels)
     return Interpolation::nearest;
-  if (!image::marks_regions(input))
+  if (!marks_regions)
     return Interpolation::linear;
   remarks.add("The values of '" + request.input.string() +
               "' mark regions, so that it was carried as a label map, by the nearest voxel; give "
@@ -78,13 +77,13 @@ void write(const ScalarImage& image, bool are_labels, const std::filesystem::pat
 void warp_image(const WarpRequest& request, const std::filesystem::path& output, Remarks& remarks) {
   const ResultFields fields(request.result);
   const ScalarImage input = image::read_image(request.input, remarks);
-  const Interpolation how = interpolation(request, input, remarks);
+  const bool marks_regions = request.labels || image::marks_regions(input);
+  const Interpolation how = interpolation(request, marks_regions, remarks);
   image::VectorImage back = fields.field(request.to, request.from);
   if (!request.like.empty())
     back = image::resampled(back, image::read_image(request.like, remarks).grid,
                             fields.chest_motion(request.to, request.from));
-  const bool are_labels =
-      how == Interpolation::nearest && (request.labels || image::marks_regions(input));
+  const bool are_labels = how == Interpolation::nearest && marks_regions;
   // What was not imaged is air.
   const float outside =
       are_labels ? 0.f : *std::min_element(input.values.begin(), input.values.end());

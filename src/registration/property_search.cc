@@ -72,11 +72,14 @@ public:
     set_equations();
   }
 
-  /// Goes on from the present, better state, with derivatives that explain how the
-  /// residuals changed on the way there (Broyden's update).
+  /// Goes on from the present, better state. Derivatives from trials are corrected to explain how
+  /// the residuals changed on the way there (Broyden's update); exact ones are found anew.
   void accept(double value) {
     const MechanicalProperties before = trials_.best();
     trials_.accept(value);
+    is_exact_ = false;
+    if (trials_.can_derive())
+      return;
     std::vector<double> way;
     double squared_length = 0.;
     for (const SearchedProperty* property : searched_) {
@@ -92,7 +95,6 @@ public:
         derivatives_[i][v] += static_cast<float>(unexplained * way[i] / squared_length);
     }
     residuals_ = residuals;
-    is_exact_ = false;
     set_equations();
   }
 
@@ -136,6 +138,7 @@ public:
 
 private:
   void derive_by_trials() {
+    residuals_ = trials_.residuals();
     derivatives_.assign(searched_.size(), std::vector<float>(residuals_.size(), 0.f));
     for (unsigned i = 0; i < searched_.size(); ++i) {
       const SearchedProperty& property = *searched_[i];

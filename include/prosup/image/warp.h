@@ -18,7 +18,7 @@ const std::vector<std::string>& interpolation_names();
 Interpolation interpolation_of(const std::string& name);
 
 /// Resamples `image` on the grid of the displacement u: the result at X is image(X + u(X)), or
-/// `outside` if X + u(X) lies outside the field of view of `image`. By ITK.
+/// `outside` if X + u(X) lies outside the field of view of `image`. Other than linear by ITK.
 ScalarImage warp(const ScalarImage& image, const VectorImage& displacement,
                  Interpolation interpolation, float outside);
 

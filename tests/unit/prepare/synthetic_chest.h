@@ -27,7 +27,7 @@ inline SyntheticContrast hounsfield() {
 /// chest, within the lung. Small and of coarse voxels, since many tests go through it.
 struct SyntheticChest {
   static constexpr double chest_radius = 100., skin_radius = 120., lung_radius = 82.;
-  static constexpr double axis_y = 130., breast_x = 60., gland_radius = 18.;
+  static constexpr double axis_y = 130., breast_x = 60., gland_radius = 22.;
 
   double gland_y;
   image::ScalarImage image;
@@ -37,10 +37,10 @@ struct SyntheticChest {
                           double gland_y_ = -5.)
       : gland_y(gland_y_) {
     image::VoxelGrid grid;
-    grid.size = {82, 51, 18};
-    grid.spacing[0] = grid.spacing[1] = 3.;
-    grid.spacing[2] = 3.5;
-    grid.origin = image::Point<3>(-121.5, -60., -29.75);
+    grid.size = {98, 61, 28};
+    grid.spacing[0] = grid.spacing[1] = 2.5;
+    grid.spacing[2] = 3.;
+    grid.origin = image::Point<3>(-121.25, -60., -40.5);
     image = image::ScalarImage(grid);
     labels = image::LabelImage(grid);
     std::mt19937 generator(1);
@@ -86,7 +86,7 @@ private:
 
   static bool in_breast(const image::Point<3>& p) {
     return std::pow((std::abs(p[0]) - breast_x) / 38., 2) + std::pow((p[1] - 30.) / 80., 2) +
-               std::pow(p[2] / 27., 2) <
+               std::pow(p[2] / 32., 2) <
            1.;
   }
 
