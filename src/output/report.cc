@@ -151,6 +151,8 @@ std::string how_to_use() {
        "points (.csv, .fcsv, .mrk.json) to the other position, with their error bars", ""},
       {"prosup warp --result DIR --from prone --to supine INPUT -o OUT",
        "an image, a label map or a surface model (.vtp, .stl, .obj)", ""},
+      {"prosup field --result DIR --from prone --to supine -o OUT",
+       "the field as a transform of ITK (.h5), which ITK, SimpleITK, ANTs and 3D Slicer read", ""},
       {"prone_to_supine.nrrd, supine_to_prone.nrrd, unloaded_to_prone.nrrd, "
        "unloaded_to_supine.nrrd",
        "displacement fields; 3D Slicer loads them as transforms. An image in supine is seen in "

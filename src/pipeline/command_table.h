@@ -17,6 +17,7 @@ struct Request {
   ParameterOptions parameters;
   MapRequest map;
   WarpRequest warp;
+  FieldRequest field;
   ReportRequest report;
   LandmarkRequest landmarks;
 };

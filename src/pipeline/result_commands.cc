@@ -50,6 +50,22 @@ void add_warp_options(CLI::App& command, WarpRequest& request) {
   command.add_flag("--overwrite", request.overwrite, "Replace the output whatever it is");
 }
 
+void add_field_options(CLI::App& command, FieldRequest& request) {
+  const CLI::IsMember states(state_names());
+  command.add_option("--result", request.result, "Result folder of prosup register")->required();
+  command.add_option("--from", request.from, "State on whose image the field lies")
+      ->required()
+      ->check(states);
+  command.add_option("--to", request.to, "State to which it leads")->required()->check(states);
+  command
+      .add_option("-o,--output", request.output,
+                  "File to write: .h5 (transform of ITK), .nrrd or .mha (image of vectors)")
+      ->required();
+  command.add_option("--like", request.like,
+                     "Image whose grid the field gets; by default that of the state's image");
+  command.add_flag("--overwrite", request.overwrite, "Replace the output whatever it is");
+}
+
 void add_report_options(CLI::App& command, ReportRequest& request) {
   command.add_option("RESULT", request.result, "Result folder of prosup register")->required();
   command.add_flag("--overwrite", request.overwrite,
@@ -95,6 +111,8 @@ std::vector<Command> result_commands() {
       on_result("map", "Points from one state to another", &Request::map, add_map_options, run_map),
       on_result("warp", "An image, a label map or a model from one state to another",
                 &Request::warp, add_warp_options, run_warp),
+      on_result("field", "A displacement field as a transform for other programs", &Request::field,
+                add_field_options, run_field),
       on_result("report", "The report of a result anew", &Request::report, add_report_options,
                 run_report),
       on_result("landmarks", "Errors at the landmarks of several observers", &Request::landmarks,

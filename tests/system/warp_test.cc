@@ -120,6 +120,31 @@ TEST(Warp, CarriesModelsLikePoints) {
   EXPECT_EQ(n, 4u);
 }
 
+// A field is what warp carries by: the result's own, or that to the unloaded state, which is
+// computed.
+TEST(Field, IsGivenToOtherPrograms) {
+  const TemporaryFolder folder;
+  const auto field = [&](const char* to, const std::string& name, const std::string& message) {
+    const ProgramRun run =
+        run_prosup({"field", "--result", registered(), "--from", "prone", "--to", to, "--like",
+                    data_file("small/prone.nii.gz"), "-o", folder / name});
+    EXPECT_EQ(run.exit_code, message.empty() ? 0 : 1) << run.transcript();
+    EXPECT_NE(run.err.find(message), std::string::npos) << run.transcript();
+  };
+  field("supine", "field.mha", "");
+  const auto found = image::read_displacement(folder / "field.mha"),
+             expected = image::read_displacement(registered() / "prone_to_supine.nrrd");
+  ASSERT_TRUE(found.grid.coincides_with(expected.grid));
+  for (std::size_t v = 0; v < found.values.size(); ++v)
+    for (unsigned d = 0; d < 3; ++d)
+      ASSERT_NEAR(found.values[v][d], expected.values[v][d], 1e-4) << v; // mm
+  field("unloaded", "field.h5", "");
+  EXPECT_EQ(contents(folder / "field.h5").substr(1, 3), "HDF");
+  field("prone", "same.h5", "both 'prone'");
+  field("supine", "field.nii.gz", "field.nii.gz");
+  EXPECT_FALSE(std::filesystem::exists(folder / "field.nii.gz"));
+}
+
 TEST(Warp, WrongUseIsRefused) {
   const TemporaryFolder folder;
   const std::string prone = data_file("small/prone.nii.gz");

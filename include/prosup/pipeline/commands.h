@@ -89,6 +89,19 @@ struct WarpRequest {
 /// finished registration. For one rank.
 void run_warp(const WarpRequest& request);
 
+/// What `prosup field` is asked for.
+struct FieldRequest {
+  std::filesystem::path result; ///< folder of a finished registration
+  std::string from, to;         ///< prone, supine or unloaded
+  std::filesystem::path output;
+  std::filesystem::path like; ///< image whose grid the field gets; empty: that of the state `from`
+  bool overwrite = false;     ///< an output that prosup did not write
+};
+
+/// `prosup field`: the displacement field from one state to another, as a transform of ITK or an
+/// image of vectors. For one rank.
+void run_field(const FieldRequest& request);
+
 /// What `prosup landmarks` is asked for.
 struct LandmarkRequest {
   std::filesystem::path result; ///< folder of a finished registration, or its registration.h5
