@@ -191,6 +191,8 @@ std::string figure_values(const MapFigures& figures, const std::string& what) {
     add(depth.skin);
     add(depth.chest_wall);
   }
+  add(figures.nipple_before);
+  add(figures.nipple_after);
   return text;
 }
 

@@ -1,6 +1,7 @@
 #include "prosup/evaluation/depth.h"
 
 #include <cmath>
+#include <set>
 
 #include "surface_locator.h"
 
@@ -40,6 +41,27 @@ DepthGauge::DepthGauge(const mesh::TetMesh& mesh, const std::vector<Point<3>>& n
 DepthGauge::~DepthGauge() = default;
 DepthGauge::DepthGauge(DepthGauge&&) noexcept = default;
 DepthGauge& DepthGauge::operator=(DepthGauge&&) noexcept = default;
+
+std::optional<Point<3>> tip_of(const mesh::TetMesh& mesh) {
+  const Locator chest_wall = locator_of(mesh, mesh.points, mesh::BoundaryPart::chest_wall);
+  std::set<unsigned> skin;
+  for (const mesh::BoundaryFace& face : mesh.boundary_faces)
+    if (face.part == mesh::BoundaryPart::skin)
+      skin.insert(face.nodes.begin(), face.nodes.end());
+  if (!chest_wall || skin.empty())
+    return {};
+  const auto depth = [&](unsigned node) {
+    return chest_wall->closest(mesh.points[node]).squared_distance;
+  };
+  unsigned tip = *skin.begin();
+  double furthest = depth(tip);
+  for (const unsigned node : skin)
+    if (const double here = depth(node); here > furthest) {
+      furthest = here;
+      tip = node;
+    }
+  return mesh.points[tip];
+}
 
 Depth DepthGauge::operator()(const Point<3>& point) const {
   return {distance(parts_->skin, point), distance(parts_->chest_wall, point)};

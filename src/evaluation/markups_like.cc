@@ -83,6 +83,7 @@ std::string described(const NamedPoint& point) {
     };
     change("skin", figures.before.skin, figures.after.skin);
     change("chest wall", figures.before.chest_wall, figures.after.chest_wall);
+    change("nipple", figures.nipple_before, figures.nipple_after);
   }
   return joined(parts, "; ");
 }

@@ -1,3 +1,4 @@
+#include "nipples.h"
 #include "prosup/core/output_file.h"
 #include "prosup/core/remarks.h"
 #include "prosup/evaluation/points.h"
@@ -26,19 +27,27 @@ evaluation::ErrorBar error_bar(const MapRequest& request,
   return evaluation::error_bar(covariance);
 }
 
+std::optional<double> distance(const std::optional<dealii::Point<3>>& from,
+                               const dealii::Point<3>& to) {
+  return from ? std::optional<double>(from->distance(to)) : std::nullopt;
+}
+
 void map(const MapRequest& request, std::vector<NamedPoint>& points, Remarks& remarks) {
   const StateMap map(request.result, request.from, request.to);
   const auto covariances = read_covariances(request.result);
   std::optional<evaluation::Uncertainty> uncertainty;
   if (covariances)
     uncertainty.emplace(map.mapper(Position::prone), map.mapper(Position::supine), *covariances);
+  const Nipples nipples = find_nipples(map, request.nipples, remarks);
   OutsideReport outside;
   for (NamedPoint& point : points) {
     const MappedState mapped = map(point.position);
     if (uncertainty)
       point.error = error_bar(request, *uncertainty, mapped.unloaded);
-    point.figures = {map.volume_ratio(mapped.unloaded), mapped.outside,
-                     map.depth_before(point.position), map.depth_after(mapped.position)};
+    point.figures = {
+        map.volume_ratio(mapped.unloaded),        mapped.outside,
+        map.depth_before(point.position),         map.depth_after(mapped.position),
+        distance(nipples.before, point.position), distance(nipples.after, mapped.position)};
     point.position = mapped.position;
     outside.look_at(point.id, mapped.outside);
   }

@@ -18,14 +18,8 @@ Position position_of(const std::string& state) {
   return state == name_of(Position::supine) ? Position::supine : Position::prone;
 }
 
-/// In the unloaded state both breasts are told from each other by the loaded state that the points
-/// come from or go to.
-DepthGauge gauge_of(const PerPosition<mesh::UnloadedMesh>& meshes, const std::string& state,
-                    const std::string& other_state) {
-  if (state != unloaded_state)
-    return {meshes[position_of(state)].mesh, meshes[position_of(state)].mesh.points};
-  const mesh::UnloadedMesh& mesh = meshes[position_of(other_state)];
-  return {mesh.mesh, mesh.unloaded};
+DepthGauge gauge_of(const mesh::UnloadedMesh& mesh, const std::string& state) {
+  return {mesh.mesh, state == unloaded_state ? mesh.unloaded : mesh.mesh.points};
 }
 
 } // namespace
@@ -41,7 +35,16 @@ StateMap::StateMap(const std::filesystem::path& result, std::string from, std::s
       to_(std::move(to)), meshes_{read_breast(result, name_of(Position::prone)),
                                   read_breast(result, name_of(Position::supine))},
       mappers_{evaluation::PointMapper(meshes_.prone), evaluation::PointMapper(meshes_.supine)},
-      from_gauge_(gauge_of(meshes_, from_, to_)), to_gauge_(gauge_of(meshes_, to_, from_)) {}
+      from_gauge_(gauge_of(meshes_[breast_before()], from_)),
+      to_gauge_(gauge_of(meshes_[breast_after()], to_)) {}
+
+Position StateMap::breast_before() const {
+  return position_of(from_ == unloaded_state ? to_ : from_);
+}
+
+Position StateMap::breast_after() const {
+  return position_of(to_ == unloaded_state ? from_ : to_);
+}
 
 MappedState StateMap::operator()(const Point<3>& point) const {
   MappedState mapped{point, point, 0.};

@@ -42,6 +42,15 @@ public:
   evaluation::Depth depth_after(const dealii::Point<3>& point) const { return to_gauge_(point); }
 
   const evaluation::PointMapper& mapper(Position position) const { return mappers_[position]; }
+  const mesh::UnloadedMesh& mesh(Position position) const { return meshes_[position]; }
+
+  const std::string& from() const { return from_; }
+  const std::string& to() const { return to_; }
+
+  /// The breast whose state the points come from, and that whose they go to. In the unloaded state
+  /// both are told from each other by the other state.
+  Position breast_before() const;
+  Position breast_after() const;
 
 private:
   bool goes_nowhere() const { return from_ == to_; }

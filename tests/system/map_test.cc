@@ -241,6 +241,38 @@ TEST(Map, TellsWhereThePointsAreInTheBreast) {
   EXPECT_NEAR(mean, 1., 0.15);
 }
 
+// Given once, the nipple of the other state is where it is mapped to; the point itself has no
+// distance from it.
+TEST(Map, TellsTheDistanceFromTheNipple) {
+  const TemporaryFolder folder;
+  std::vector<NamedPoint> points = landmarks_in("prone");
+  points.resize(2);
+  evaluation::write_points(points, folder / "in.csv");
+  const auto rows = [&](const std::string& nipple, const std::string& message) {
+    std::vector<std::string> arguments{
+        "map",  "--result", registered(),      "--from", "prone",
+        "--to", "supine",   folder / "in.csv", "-o",     folder / "out.csv"};
+    if (!nipple.empty())
+      arguments.push_back("--prone-nipple=" + nipple);
+    const ProgramRun run = run_prosup(arguments);
+    EXPECT_EQ(run.exit_code, message == "mm from the skin" ? 1 : 0) << run.transcript();
+    EXPECT_NE((run.out + run.err).find(message), std::string::npos) << run.transcript();
+    return read_table(folder / "out.csv");
+  };
+  const auto found = rows("", "The nipple is taken to be");
+  // On the skin in front, of a breast that hangs some 70 mm and is 140 mm wide.
+  for (const char* column : {"nipple_before", "nipple_after"}) {
+    EXPECT_GT(std::stod(found[0].at(column)), 1.) << column;
+    EXPECT_LT(std::stod(found[0].at(column)), 120.) << column;
+  }
+  const Point<3> x = points[1].position;
+  const auto given = rows(format("%.6f,%.6f,%.6f", x[0], x[1], x[2]), "");
+  EXPECT_NEAR(std::stod(given[1].at("nipple_before")), 0., 1e-5);
+  EXPECT_NEAR(std::stod(given[1].at("nipple_after")), 0., 1e-5);
+  EXPECT_NEAR(std::stod(given[0].at("nipple_before")), points[0].position.distance(x), 1e-5);
+  rows("0,0,500", "mm from the skin");
+}
+
 // A point that is outside of both meshes is one point.
 TEST(Map, CountsAndNamesThePointsOutside) {
   const TemporaryFolder folder;

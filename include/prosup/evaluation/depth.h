@@ -34,6 +34,10 @@ private:
   std::unique_ptr<Parts> parts_;
 };
 
+/// The node of the skin that is furthest from the chest wall in the loaded configuration, LPS, mm:
+/// where the nipple is, about. Nothing if the mesh does not tell both parts.
+std::optional<dealii::Point<3>> tip_of(const mesh::TetMesh& mesh);
+
 } // namespace prosup::evaluation
 
 #endif

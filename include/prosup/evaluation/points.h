@@ -21,6 +21,7 @@ struct MapFigures {
   double volume_ratio;   ///< J = det dx_after/dx_before of the tissue there
   double outside;        ///< distance from the mesh, mm; 0 inside
   Depth before{}, after; ///< in the state that the point comes from and in that it is mapped to
+  std::optional<double> nipple_before{}, nipple_after{}; ///< distance from the nipple there, mm
 };
 
 struct NamedPoint {
@@ -60,7 +61,8 @@ std::vector<NamedPoint> parse_points(const std::string& text, PointFormat format
 /// error bars, and if all have figures of a map.
 constexpr const char* points_header = "id,x,y,z";
 constexpr const char* error_columns = ",sd_x,sd_y,sd_z,radius_95";
-constexpr const char* figure_columns = ",J,outside,skin_before,chest_before,skin_after,chest_after";
+constexpr const char* figure_columns = ",J,outside,skin_before,chest_before,skin_after,chest_after,"
+                                       "nipple_before,nipple_after";
 
 /// All first lines that write_points() may write as CSV.
 std::vector<std::string> points_headers();

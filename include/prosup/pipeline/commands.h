@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "prosup/core/position.h"
 #include "prosup/core/result_folder.h"
 #include "prosup/pipeline/all_parameters.h"
 #include "prosup/pipeline/outcome.h"
@@ -53,11 +54,15 @@ bool run_phantom(const AllParameters& parameters, const dealii::ParameterHandler
 bool run_compare(const AllParameters& parameters, const dealii::ParameterHandler& all,
                  const ResultTarget& output, MPI_Comm world);
 
+/// Where a user says that the nipple is in each loaded state, LPS, mm: X, Y, Z, or empty.
+using GivenNipples = PerPosition<std::vector<double>>;
+
 /// What `prosup map` is asked for.
 struct MapRequest {
   std::filesystem::path result; ///< folder of a finished registration, or its registration.h5
   std::string from, to;         ///< prone, supine or unloaded
   std::filesystem::path points, output;
+  GivenNipples nipples;
   bool overwrite = false; ///< an output that prosup did not write
 };
 

@@ -44,6 +44,11 @@ TEST(Depth, IsUnknownForAPartThatIsNotThere) {
   const evaluation::Depth depth = evaluation::DepthGauge(mesh, mesh.points)({1., 1., 1.});
   EXPECT_TRUE(depth.skin.has_value());
   EXPECT_FALSE(depth.chest_wall.has_value());
+  EXPECT_FALSE(evaluation::tip_of(mesh).has_value());
+}
+
+TEST(Depth, TipIsTheSkinFurthestFromTheChest) {
+  EXPECT_EQ(evaluation::tip_of(corner()).value(), Point<3>(0., 10., 0.));
 }
 
 } // namespace

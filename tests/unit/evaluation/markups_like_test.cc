@@ -31,7 +31,7 @@ protected:
     std::vector<NamedPoint> points = read_points(file);
     for (NamedPoint& point : points) {
       point.position += dealii::Tensor<1, 3>({10., 20., 30.});
-      point.figures = MapFigures{0.9, 0., {12., 30.}, {11.5, {}}};
+      point.figures = MapFigures{0.9, 0., {12., 30.}, {11.5, {}}, 50., 45.25};
     }
     write_markups_like(file, points, folder_ / "out.mrk.json");
     return Json::parse(contents(folder_ / "out.mrk.json"));
@@ -75,7 +75,7 @@ TEST_F(MarkupsLike, AreReadBackWhereTheyWereWritten) {
 // A distance that is not known on one side is not told.
 TEST_F(MarkupsLike, DescribeWhatIsKnown) {
   EXPECT_EQ(moved()["markups"][0]["controlPoints"][1]["description"],
-            "J 0.900; skin 11.5 mm away (before: 12.0 mm)");
+            "J 0.900; skin 11.5 mm away (before: 12.0 mm); nipple 45.2 mm away (before: 50.0 mm)");
 }
 
 TEST_F(MarkupsLike, OfAFileThatChangedAreRefused) {

@@ -95,12 +95,12 @@ TEST(Points, WithErrorBarsHaveMoreColumns) {
 // An unknown distance is an empty value; the columns that came first stay first.
 TEST(Points, WithFiguresOfAMapHaveMoreColumns) {
   const TemporaryFolder folder;
-  const MapFigures figures{0.875, 1.5, {12., 30.}, {11., {}}};
+  const MapFigures figures{0.875, 1.5, {12., 30.}, {11., {}}, 50., {}};
   write_points({{"a", {1., 2., 3.}, {}, figures}}, folder / "out.csv");
-  EXPECT_EQ(
-      contents(folder / "out.csv"),
-      std::string(points_header) + figure_columns +
-          "\na,1.000000,2.000000,3.000000,0.875000,1.500000,12.000000,30.000000,11.000000,\n");
+  EXPECT_EQ(contents(folder / "out.csv"),
+            std::string(points_header) + figure_columns +
+                "\na,1.000000,2.000000,3.000000,0.875000,1.500000,12.000000,30.000000,11.000000,"
+                ",50.000000,\n");
   EXPECT_EQ(read_points(folder / "out.csv").at(0).position, Point<3>(1., 2., 3.));
   const MapFigures wrong{std::numeric_limits<double>::infinity(), 0., {}, {}};
   expect_error(
