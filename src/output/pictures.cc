@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "canvas.h"
+#include "colours.h"
 #include "prosup/core/log.h"
 #include "slice_plane.h"
 
@@ -32,16 +33,8 @@ Colour grey(float value) {
   return {level, level, level};
 }
 
-/// Blue at -1, white at 0, red at +1.
-Colour blue_white_red(float value) {
-  if (std::isnan(value))
-    return no_data_difference;
-  const float strength = std::min(std::abs(value), 1.f);
-  const auto fade = [&](float full) {
-    return static_cast<std::uint8_t>(std::lround(255.f + strength * (full - 255.f)));
-  };
-  return value < 0.f ? Colour{fade(33.f), fade(80.f), fade(190.f)}
-                     : Colour{fade(190.f), fade(30.f), fade(45.f)};
+Colour of_difference(float value) {
+  return std::isnan(value) ? no_data_difference : blue_white_red(double(value));
 }
 
 /// The magnitude that 98 of 100 differences stay below, so that a few voxels at
@@ -84,7 +77,7 @@ void draw_panel(Canvas& canvas, int x, int y, const Panel& panel, const SlicePla
   for (int row = 0; row < plane.height(); ++row)
     for (int column = 0; column < plane.width(); ++column, ++value)
       canvas.set(x + column, y + row,
-                 panel.subtract ? blue_white_red(*value / scale) : grey(*value));
+                 panel.subtract ? of_difference(*value / scale) : grey(*value));
   draw_letters(canvas, x, y, plane, orientation, panel.subtract ? dark : yellow);
 }
 

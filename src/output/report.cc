@@ -11,7 +11,9 @@
 #include "prosup/core/text_file.h"
 #include "prosup/image/image_io.h"
 #include "prosup/output/pictures.h"
+#include "prosup/output/registration_file.h"
 #include "report_charts.h"
+#include "report_deformation.h"
 #include "report_parameters.h"
 #include "report_slices.h"
 
@@ -108,6 +110,13 @@ std::string slices(const fs::path& result, const std::optional<ReportImages>& im
   return text;
 }
 
+std::string deformation(const fs::path& result, const std::optional<ReportImages>& images) {
+  const fs::path file = result / registration_h5;
+  return images && fs::exists(file)
+             ? html::section("Deformation", report_deformation(file, *images->masks.supine))
+             : "";
+}
+
 std::string landmarks(const Json& summary, const fs::path& result) {
   std::vector<std::vector<std::string>> rows;
   const std::pair<const char*, const char*> steps[] = {{"initial", "No registration"},
@@ -183,6 +192,7 @@ void write_report(const fs::path& result, const std::vector<ReportRow>& properti
     page += html::section("Warnings", warnings(summary));
   page += html::section("What was done", what_was_done(summary, used, images));
   page += html::section("Before and after", slices(result, images));
+  page += deformation(result, images);
   page += html::section("Landmarks", landmarks(summary, result));
   page += html::section("Mechanical properties found", html::table(properties));
   page += html::section("Similarity", similarity_chart(summary.value("similarity", Json::array())));

@@ -9,8 +9,11 @@
 #include <cmath>
 #include <fstream>
 
+#include "affine_mesh.h"
 #include "expect_error.h"
+#include "prosup/core/log.h"
 #include "prosup/image/image_io.h"
+#include "prosup/output/registration_file.h"
 #include "temporary_folder.h"
 #include "text_file.h"
 
@@ -128,6 +131,23 @@ TEST_F(Report, SaysWhatWasFound) {
         "to the left of the middle", "512 MiB"})
     EXPECT_NE(html.find(part), std::string::npos) << part;
   EXPECT_EQ(html.find("Accumulated/Other"), std::string::npos); // as by default
+}
+
+// In affine maps of a box J is the same everywhere: det A of supine over that of prone.
+TEST_F(Report, ShowsTheDeformation) {
+  const mesh::TetMesh box = box_of_tets({52., 15., 10.}, {72., 45., 30.}, 2);
+  const AffineMap to_prone = stretch_and_shear(), to_supine = other_stretch_and_shear();
+  write_registration({affine_mesh(box, to_prone), affine_mesh(box, to_supine)}, {}, folder_ / "");
+  const std::string html = page(shown_);
+  const auto sources = between(html, "src=\"", "\"");
+  ASSERT_EQ(sources.size(), 18u); // and two maps of three planes
+  for (const std::string& source : sources)
+    EXPECT_TRUE(is_picture(source)) << source.substr(0, 40);
+  const double J = determinant(to_supine.A) / determinant(to_prone.A);
+  EXPECT_NE(html.find(format("J is %.2f on the median, and 90 %% lie from %.2f to %.2f", J, J, J)),
+            std::string::npos);
+  EXPECT_NE(html.find("aria-label=\"Displacement from prone to supine relative to the chest, mm"),
+            std::string::npos);
 }
 
 // Sliders work by keys because they are the browser's own, and have names for those who hear them.

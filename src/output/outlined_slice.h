@@ -1,0 +1,48 @@
+#ifndef PROSUP_SRC_OUTPUT_OUTLINED_SLICE_H
+#define PROSUP_SRC_OUTPUT_OUTLINED_SLICE_H
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "canvas.h"
+#include "slice_plane.h"
+
+namespace prosup::output {
+
+/// Beyond an image or a mesh.
+constexpr Colour no_data_colour{52, 52, 52};
+
+/// One plane as a picture of the report: with the outline of the breast, and the letters of the
+/// patient's directions. Keeps a reference to the orientation.
+class OutlinedSlice {
+public:
+  /// `mask` is not zero in the breast; `width` is that of the pictures, in pixels.
+  OutlinedSlice(const Orientation& orientation, const SliceBox& box, const image::LabelImage& mask,
+                int width);
+
+  const SlicePlane& plane() const { return plane_; }
+
+  /// Its name in capitals, such as "Axial".
+  std::string name() const;
+
+  /// The place of a pixel in lists that go row by row.
+  std::size_t pixel(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(plane_.width()) +
+           static_cast<std::size_t>(column);
+  }
+
+  bool is_breast(int column, int row) const { return is_breast_[pixel(column, row)]; }
+
+  /// The address of a PNG of this colour at each pixel (column, row).
+  std::string picture(const std::function<Colour(int, int)>& colour) const;
+
+private:
+  const Orientation& orientation_;
+  SlicePlane plane_;
+  std::vector<bool> is_breast_, is_outline_;
+};
+
+} // namespace prosup::output
+
+#endif
