@@ -86,8 +86,10 @@ void add_parameter_options(CLI::App& command, const OptionNames& names,
   command.add_option("FILE", options.file, "Parameter file (.prm)");
   command.add_option("--set", options.overrides,
                      "Set a parameter, \"Section/Entry=value\"; may be repeated");
-  command.add_option("--write-prm", options.write_prm,
-                     "Write all parameters, with units and documentation, to a file and stop");
+  command.add_option(
+      "--write-prm", options.write_prm,
+      "Write all parameters, with units and documentation, to a file (.prm, or .md for a "
+      "table) and stop");
   for (const std::string& name : names) {
     const ParameterOption& option = find(name);
     command

@@ -7,6 +7,7 @@
 #include "prosup/core/file_system.h"
 #include "prosup/core/output_file.h"
 #include "prosup/core/parameters.h"
+#include "prosup/core/text.h"
 #include "run_files.h"
 
 namespace prosup::pipeline {
@@ -34,7 +35,10 @@ bool prepare(const ParameterOptions& options, AllParameters& parameters,
   on_root(world, [&] {
     OutputFile file(options.write_prm,
                     {files_read(parameters, options.file), options.overwrite, ""});
-    write_parameters(handler, file.path());
+    if (lower_case(options.write_prm.extension().string()) == ".md")
+      write_parameter_reference(handler, file.path());
+    else
+      write_parameters(handler, file.path());
     file.commit();
   });
   return false;

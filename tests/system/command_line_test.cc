@@ -107,6 +107,16 @@ TEST(WritePrm, HoldsEveryDefaultAndCanBeReadBack) {
     EXPECT_NE(contents(first).find(text), std::string::npos) << text;
 }
 
+// Where this fails, write the page anew with
+// `prosup register --write-prm docs/parameters.md --overwrite`.
+TEST(WritePrm, MakesTheReferenceOfAllParameters) {
+  const TemporaryFolder folder;
+  const ProgramRun run = run_prosup({"register", "--write-prm", folder / "parameters.md"});
+  ASSERT_EQ(run.exit_code, 0) << run.transcript();
+  EXPECT_EQ(contents(folder / "parameters.md"),
+            contents(PROSUP_PRM_FOLDER "/../docs/parameters.md"));
+}
+
 TEST(WritePrm, HoldsTheOverridesAndOptions) {
   const TemporaryFolder folder;
   const std::string file = folder / "all.prm";

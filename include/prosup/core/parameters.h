@@ -34,6 +34,11 @@ void resolve_files(dealii::ParameterHandler& parameters, const std::string& sect
 void write_parameters(const dealii::ParameterHandler& parameters,
                       const std::filesystem::path& file);
 
+/// Writes a table of all parameters with defaults, what they allow, and documentation to `file`, in
+/// Markdown. @throws Error if it cannot be written.
+void write_parameter_reference(const dealii::ParameterHandler& parameters,
+                               const std::filesystem::path& file);
+
 /// Pattern for a value that must be one of `names`.
 dealii::Patterns::Selection one_of(const std::vector<std::string>& names);
 
