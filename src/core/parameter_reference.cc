@@ -66,7 +66,7 @@ void add_section(const Json& section, const std::string& path, std::string& text
             rows;
   for (const auto& [name, node] : section.items())
     if (!is_entry(node))
-      add_section(node, path.empty() ? name : path + "/" + name, text);
+      add_section(node, (path.empty() ? "" : path + "/").append(name), text);
 }
 
 } // namespace

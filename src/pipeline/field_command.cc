@@ -43,7 +43,7 @@ void run_field(const FieldRequest& request) {
   Remarks remarks{Log(MPI_COMM_SELF)};
   OutputFile output(request.output, rules);
   const image::VectorImage found = field(request, remarks);
-  if (output::is_transform(output.path()))
+  if (output::is_transform(request.output))
     output::write_transform(found, output.path());
   else
     image::write_displacement(found, output.path());

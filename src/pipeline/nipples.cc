@@ -1,9 +1,13 @@
 #include "nipples.h"
 
+#include <deal.II/base/utilities.h>
+
+#include <charconv>
 #include <cmath>
 
 #include "prosup/core/error.h"
 #include "prosup/core/log.h"
+#include "prosup/core/text.h"
 
 namespace prosup::pipeline {
 
@@ -17,19 +21,34 @@ std::string text_of(const Point<3>& p) {
   return format("%.1f, %.1f, %.1f", p[0], p[1], p[2]);
 }
 
+/// The point "X,Y,Z"; nothing if it is not three finite numbers.
+std::optional<Point<3>> parsed(const std::string& text) {
+  const std::vector<std::string> words = dealii::Utilities::split_string_list(text, ',');
+  if (words.size() != 3)
+    return {};
+  Point<3> p;
+  for (unsigned d = 0; d < 3; ++d) {
+    const char* const last = words[d].data() + words[d].size();
+    const auto [end, error] = std::from_chars(words[d].data(), last, p[d]);
+    if (error != std::errc() || end != last || !std::isfinite(p[d]))
+      return {};
+  }
+  return p;
+}
+
 /// The one that the user gives for a position.
-std::optional<Point<3>> checked(const std::vector<double>& given, Position position,
-                                const StateMap& map) {
+std::optional<Point<3>> checked(const std::string& given, Position position, const StateMap& map) {
   if (given.empty())
     return {};
   const std::string option = std::string("'--") + name_of(position) + "-nipple'";
-  if (given.size() != 3 || !std::isfinite(given[0] + given[1] + given[2]))
-    throw Error(option + " is not three finite numbers; give X,Y,Z in LPS, mm.");
-  const Point<3> nipple(given[0], given[1], given[2]);
+  const std::optional<Point<3>> nipple = parsed(given);
+  if (!nipple)
+    throw Error(option + " is '" + shown(given) +
+                "' and not three finite numbers; give X,Y,Z in LPS, mm.");
   const mesh::TetMesh& mesh = map.mesh(position).mesh;
-  const auto skin = evaluation::DepthGauge(mesh, mesh.points)(nipple).skin;
+  const auto skin = evaluation::DepthGauge(mesh, mesh.points)(*nipple).skin;
   if (skin && *skin > far_from_skin)
-    throw Error(option + " is " + text_of(nipple) +
+    throw Error(option + " is " + text_of(*nipple) +
                 format(", %.0f mm from the skin of the ", *skin) + name_of(position) +
                 format(" breast, where at most %g mm can be; give it in LPS, mm.", far_from_skin));
   return nipple;

@@ -25,13 +25,10 @@ void add_map_options(CLI::App& command, MapRequest& request) {
                   "File to write: .csv, or .fcsv and .mrk.json for 3D Slicer")
       ->required();
   for (const Position position : both_positions)
-    command
-        .add_option(std::string("--") + name_of(position) + "-nipple", request.nipples[position],
-                    std::string("Nipple in the ") + name_of(position) +
-                        " image, X,Y,Z (LPS mm); by default the skin furthest from the chest in "
-                        "prone")
-        ->delimiter(',')
-        ->expected(3);
+    command.add_option(std::string("--") + name_of(position) + "-nipple", request.nipples[position],
+                       std::string("Nipple in the ") + name_of(position) +
+                           " image, X,Y,Z (LPS mm); by default the skin furthest from the chest in "
+                           "prone");
   command.add_flag("--overwrite", request.overwrite,
                    "Replace the output even if it is not what this command has written");
 }

@@ -253,9 +253,10 @@ TEST(Map, TellsTheDistanceFromTheNipple) {
         "map",  "--result", registered(),      "--from", "prone",
         "--to", "supine",   folder / "in.csv", "-o",     folder / "out.csv"};
     if (!nipple.empty())
-      arguments.push_back("--prone-nipple=" + nipple);
+      arguments.insert(arguments.begin() + 1, {"--prone-nipple", nipple});
     const ProgramRun run = run_prosup(arguments);
-    EXPECT_EQ(run.exit_code, message == "mm from the skin" ? 1 : 0) << run.transcript();
+    EXPECT_EQ(run.exit_code, message.find("LPS, mm.") == std::string::npos ? 0 : 1)
+        << run.transcript();
     EXPECT_NE((run.out + run.err).find(message), std::string::npos) << run.transcript();
     return read_table(folder / "out.csv");
   };
@@ -270,7 +271,8 @@ TEST(Map, TellsTheDistanceFromTheNipple) {
   EXPECT_NEAR(std::stod(given[1].at("nipple_before")), 0., 1e-5);
   EXPECT_NEAR(std::stod(given[1].at("nipple_after")), 0., 1e-5);
   EXPECT_NEAR(std::stod(given[0].at("nipple_before")), points[0].position.distance(x), 1e-5);
-  rows("0,0,500", "mm from the skin");
+  rows("0,0,500", "mm can be; give it in LPS, mm.");
+  rows("0,-70,nan", "'0,-70,nan' and not three finite numbers; give X,Y,Z in LPS, mm.");
 }
 
 // A point that is outside of both meshes is one point.

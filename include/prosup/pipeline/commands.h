@@ -54,8 +54,8 @@ bool run_phantom(const AllParameters& parameters, const dealii::ParameterHandler
 bool run_compare(const AllParameters& parameters, const dealii::ParameterHandler& all,
                  const ResultTarget& output, MPI_Comm world);
 
-/// Where a user says that the nipple is in each loaded state, LPS, mm: X, Y, Z, or empty.
-using GivenNipples = PerPosition<std::vector<double>>;
+/// Where a user says that the nipple is in each loaded state, LPS, mm: "X,Y,Z", or empty.
+using GivenNipples = PerPosition<std::string>;
 
 /// What `prosup map` is asked for.
 struct MapRequest {
