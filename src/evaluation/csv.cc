@@ -12,16 +12,6 @@
 
 namespace prosup::evaluation::csv {
 
-std::string quoted(const std::string& text) {
-  // '#' would make a comment of the line.
-  if (text.find_first_of(",\"\n\r") == std::string::npos && (text.empty() || text[0] != '#'))
-    return text;
-  std::string result = "\"";
-  for (const char c : text)
-    result += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return result + "\"";
-}
-
 double parse_number(const std::string& text, const std::string& where, const std::string& column) {
   // Unlike std::stod, from_chars knows no locale and no hexadecimal numbers.
   const char* first = text.data() + (text.size() > 1 && text[0] == '+' && text[1] != '-');

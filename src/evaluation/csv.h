@@ -18,9 +18,6 @@ namespace prosup::evaluation::csv {
 
 using dealii::Point;
 
-/// `text` as one value of a line: quoted where it has to be.
-std::string quoted(const std::string& text);
-
 /// One finite number with a decimal point, mm.
 /// @throws Error that starts with "In `where`" and names the column.
 double parse_number(const std::string& text, const std::string& where, const std::string& column);

@@ -2,6 +2,7 @@
 #include <array>
 
 #include "csv.h"
+#include "prosup/core/csv_cell.h"
 #include "prosup/core/error.h"
 #include "prosup/core/log.h"
 #include "slicer_markups.h"
@@ -88,8 +89,8 @@ std::string fcsv_text(const std::vector<NamedPoint>& points) {
   for (std::size_t p = 0; p < points.size(); ++p)
     text += std::to_string(p + 1) + "," +
             csv::coordinates(points[p].position, "point '" + points[p].id + "'") +
-            ",0,0,0,1,1,1,0," + csv::quoted(points[p].id) + "," +
-            csv::quoted(described(points[p])) + ",\n";
+            ",0,0,0,1,1,1,0," + csv_quoted(points[p].id) + "," + csv_quoted(described(points[p])) +
+            ",\n";
   return text;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "csv.h"
+#include "prosup/core/csv_cell.h"
 #include "prosup/core/log.h"
 #include "prosup/core/text_file.h"
 #include "text_input.h"
@@ -19,7 +20,7 @@ std::string header(const std::vector<const char*>& positions) {
 }
 
 std::string row(const std::string& id, const std::vector<Point<3>>& positions) {
-  std::string text = csv::quoted(id);
+  std::string text = csv_quoted(id);
   for (const Point<3>& position : positions)
     text += "," + csv::coordinates(position, "landmark '" + id + "'");
   return text;

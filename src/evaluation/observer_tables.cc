@@ -1,3 +1,4 @@
+#include "prosup/core/csv_cell.h"
 #include "prosup/core/log.h"
 #include "prosup/core/text_file.h"
 #include "prosup/evaluation/observers.h"
@@ -15,7 +16,7 @@ const char* name(Selection selection) {
 std::string csv_row(const std::string& quantity, const std::string& observer, Selection selection,
                     const ErrorStatistics& s) {
   std::string row =
-      quantity + "," + csv::quoted(observer) + "," + name(selection) + format(",%zu", s.n);
+      quantity + "," + csv_quoted(observer) + "," + name(selection) + format(",%zu", s.n);
   // Without a landmark there is no mean, which is not the same as a mean of 0.
   return row + (s.n > 0 ? format(",%.4f,%.4f,%.4f\n", s.mean, s.std, s.max) : ",,,\n");
 }

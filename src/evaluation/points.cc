@@ -4,6 +4,7 @@
 #include <set>
 
 #include "csv.h"
+#include "prosup/core/csv_cell.h"
 #include "prosup/core/error.h"
 #include "prosup/core/log.h"
 #include "prosup/core/text.h"
@@ -51,7 +52,7 @@ std::string csv_text(const std::vector<NamedPoint>& points) {
                      (has_figures ? figure_columns : "") + "\n";
   for (const NamedPoint& point : points) {
     const std::string what = "point '" + point.id + "'";
-    text += csv::quoted(point.id) + "," + csv::coordinates(point.position, what) +
+    text += csv_quoted(point.id) + "," + csv::coordinates(point.position, what) +
             (has_errors ? "," + csv::error_values(*point.error, what) : "") +
             (has_figures ? "," + csv::figure_values(*point.figures, what) : "") + "\n";
   }

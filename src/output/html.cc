@@ -2,6 +2,10 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <cstring>
+
+#include "prosup/core/log.h"
+
 namespace prosup::output::html {
 
 namespace {
@@ -59,11 +63,22 @@ document.querySelectorAll('input[name=over]').forEach(function (choice) {
 });
 )";
 
-std::string cells(const char* tag, const std::vector<std::string>& values) {
+/// A row of cells whose contents are HTML already.
+std::string cells_of_html(const char* tag, const std::vector<std::string>& values) {
   std::string row = "<tr>";
   for (const std::string& value : values)
-    row += std::string("<") + tag + ">" + escaped(value) + "</" + tag + ">";
+    row += std::string("<") + tag + ">" + value + "</" + tag + ">";
   return row + "</tr>\n";
+}
+
+std::vector<std::string> escaped(std::vector<std::string> all) {
+  for (std::string& words : all)
+    words = html::escaped(words);
+  return all;
+}
+
+std::string cells(const char* tag, const std::vector<std::string>& values) {
+  return cells_of_html(tag, escaped(values));
 }
 
 } // namespace
@@ -110,10 +125,31 @@ std::string table(const std::vector<ReportRow>& rows) {
 
 std::string table(const std::vector<std::string>& headings,
                   const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::vector<std::string>> of_html;
+  of_html.reserve(rows.size());
+  for (const auto& row : rows)
+    of_html.push_back(escaped(row));
+  return table_of_html(headings, of_html);
+}
+
+std::string table_of_html(const std::vector<std::string>& headings,
+                          const std::vector<std::vector<std::string>>& rows) {
   std::string text = "<table class=\"numbers\">\n" + cells("th", headings);
   for (const auto& row : rows)
-    text += cells("td", row);
+    text += cells_of_html("td", row);
   return text + "</table>\n";
+}
+
+std::string link(const std::filesystem::path& file, const std::string& words) {
+  // All others mean something in an address, such as '?', '#' and the ':' behind "http".
+  constexpr const char* plain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._~/";
+  std::string address;
+  for (const char c : file.generic_string())
+    address += std::strchr(plain, c) != nullptr
+                   ? std::string(1, c)
+                   : format("%%%02X", static_cast<unsigned>(static_cast<unsigned char>(c)));
+  return "<a href=\"" + address + "\">" + escaped(words) + "</a>";
 }
 
 std::string page_start(const std::string& title) {

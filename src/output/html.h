@@ -1,6 +1,7 @@
 #ifndef PROSUP_SRC_OUTPUT_HTML_H
 #define PROSUP_SRC_OUTPUT_HTML_H
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,13 @@ std::string table(const std::vector<ReportRow>& rows);
 /// A table with a line of headings; all but the first column are numbers.
 std::string table(const std::vector<std::string>& headings,
                   const std::vector<std::vector<std::string>>& rows);
+
+/// The same, with cells that are HTML already.
+std::string table_of_html(const std::vector<std::string>& headings,
+                          const std::vector<std::vector<std::string>>& rows);
+
+/// Words that lead to a file, which is given as seen from the folder of the page.
+std::string link(const std::filesystem::path& file, const std::string& words);
 
 /// All before and after the sections of the page, with its style and its script.
 std::string page_start(const std::string& title);

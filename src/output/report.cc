@@ -3,10 +3,8 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
-#include <nlohmann/json.hpp>
 
 #include "html.h"
-#include "prosup/core/error.h"
 #include "prosup/core/log.h"
 #include "prosup/core/text_file.h"
 #include "prosup/image/image_io.h"
@@ -16,6 +14,7 @@
 #include "report_deformation.h"
 #include "report_parameters.h"
 #include "report_slices.h"
+#include "summary_json.h"
 
 namespace prosup::output {
 
@@ -27,15 +26,6 @@ namespace {
 std::string contents(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   return std::string(std::istreambuf_iterator<char>(stream), {});
-}
-
-Json read_summary(const fs::path& result) {
-  Json summary = Json::parse(contents(result / "summary.json"), nullptr, false);
-  if (!summary.is_object() || !summary.contains("quality"))
-    throw Error("The folder '" + result.string() +
-                "' holds no finished registration (summary.json); give the --output folder of "
-                "prosup register.");
-  return summary;
 }
 
 std::string verdict(const Json& summary) {

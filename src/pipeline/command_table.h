@@ -20,6 +20,7 @@ struct Request {
   FieldRequest field;
   ReportRequest report;
   LandmarkRequest landmarks;
+  TableRequest table;
 };
 
 /// One command of the program: a new one is one more entry of all_commands().

@@ -97,6 +97,19 @@ void add_landmark_options(CLI::App& command, LandmarkRequest& request) {
                    "Replace the output even if it is not what this command has written");
 }
 
+void add_table_options(CLI::App& command, TableRequest& request) {
+  command
+      .add_option(
+          "RESULT", request.results,
+          "Result folders of prosup register; one without a finished result gets a row that "
+          "says so")
+      ->required();
+  command.add_option("-o,--output", request.output,
+                     "File to write, .csv or .html; by default CSV to the screen");
+  command.add_flag("--overwrite", request.overwrite,
+                   "Replace the output even if it is not what this command has written");
+}
+
 /// A command whose request is that member of all requests. It runs on one rank.
 template <typename Options, typename Run, typename What>
 Command on_result(const char* name, const char* text, What Request::*request, Options add_options,
@@ -121,7 +134,9 @@ std::vector<Command> result_commands() {
       on_result("report", "The report of a result anew", &Request::report, add_report_options,
                 run_report),
       on_result("landmarks", "Errors at the landmarks of several observers", &Request::landmarks,
-                add_landmark_options, run_landmarks)};
+                add_landmark_options, run_landmarks),
+      on_result("table", "The verdicts and figures of many results", &Request::table,
+                add_table_options, run_table)};
 }
 
 } // namespace prosup::pipeline

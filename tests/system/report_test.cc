@@ -63,5 +63,20 @@ TEST_F(ReportCommand, OfNoResultIsRefused) {
   EXPECT_NE(run.err.find("no finished registration"), std::string::npos) << run.err;
 }
 
+// A cohort in which one case has failed is no failure of the table, and it may be made again.
+TEST_F(ReportCommand, TableHasARowForEachFolder) {
+  for (const char* name : {"table.csv", "table.html"})
+    for (unsigned n = 0; n < 2; ++n) {
+      const ProgramRun run = run_prosup({"table", result_, folder_ / "none", "-o", folder_ / name});
+      ASSERT_EQ(run.exit_code, 0) << run.transcript();
+      EXPECT_NE(run.err.find("1 of 2 folders"), std::string::npos) << run.err;
+    }
+  const std::string rows = contents(folder_ / "table.csv");
+  EXPECT_NE(rows.find("\ncopy,finished,good,"), std::string::npos) << rows;
+  EXPECT_NE(contents(folder_ / "table.html").find("href=\"copy/report.html\""), std::string::npos);
+  EXPECT_EQ(run_prosup({"table", result_, folder_ / "none"}).out.substr(0, 10), "name,state");
+  EXPECT_EQ(run_prosup({"table", result_, "-o", folder_ / "table.txt"}).exit_code, 1);
+}
+
 } // namespace
 } // namespace prosup::tests

@@ -79,6 +79,16 @@ struct ReportRequest {
 /// `prosup report`: the report of a finished registration anew. For one rank.
 void run_report(const ReportRequest& request);
 
+/// What `prosup table` is asked for.
+struct TableRequest {
+  std::vector<std::filesystem::path> results; ///< folders of registrations, finished or not
+  std::filesystem::path output;               ///< .csv or .html; empty: CSV to standard output
+  bool overwrite = false;                     ///< an output that prosup did not write
+};
+
+/// `prosup table`: the verdicts and figures of many registrations. For one rank.
+void run_table(const TableRequest& request);
+
 /// What `prosup warp` is asked for.
 struct WarpRequest {
   std::filesystem::path result; ///< folder of a finished registration
