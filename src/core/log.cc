@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "prosup/core/log_file.h"
+
 namespace prosup {
 
 namespace {
@@ -41,6 +43,9 @@ Log::Log(MPI_Comm communicator) {
 void Log::line(const std::string& text) const {
   if (!speaks_)
     return;
+  LogFile::add(text);
+  if (shows_warnings_only())
+    return;
   std::printf("%s%s\n", on_terminal_ ? erase_line : "", text.c_str());
   std::fflush(stdout);
 }
@@ -48,6 +53,7 @@ void Log::line(const std::string& text) const {
 void Log::warning(const std::string& sentence) const {
   if (!speaks_)
     return;
+  LogFile::add("Warning: " + sentence);
   std::fprintf(stderr, "%sWarning: %s\n", on_terminal_ ? erase_line : "", sentence.c_str());
 }
 
@@ -56,7 +62,7 @@ void Log::progress(const std::string& text) const {
   constexpr std::chrono::milliseconds shortest_interval(200);
   static std::chrono::steady_clock::time_point last;
   const auto now = std::chrono::steady_clock::now();
-  if (!on_terminal_ || now - last < shortest_interval)
+  if (!on_terminal_ || shows_warnings_only() || now - last < shortest_interval)
     return;
   last = now;
   std::printf("%s%s", erase_line, text.c_str());

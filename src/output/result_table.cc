@@ -46,19 +46,17 @@ std::string words(const Json& summary, const std::string& pointer) {
              : std::string();
 }
 
-/// Whether a run into the folder is at work, or was killed.
-bool is_at_work(const fs::path& folder) {
-  std::error_code ignored;
-  const fs::path target = without_links(folder), parent = target.parent_path();
-  return fs::exists(target / unfinished_name(target, "prosup"), ignored) ||
-         fs::exists(parent / unfinished_name(parent, target.filename().string()), ignored);
-}
-
 /// One sentence on why there is no summary.json.
 std::string why_unfinished(const fs::path& folder) {
   std::error_code ignored;
-  if (is_at_work(folder))
+  const fs::path target = without_links(folder), parent = target.parent_path();
+  const std::string name = target.filename().string();
+  if (fs::exists(target / unfinished_name(target, "prosup"), ignored) ||
+      fs::exists(parent / unfinished_name(parent, name), ignored))
     return "A run into this folder is going on, or was killed.";
+  if (const std::string state = name + ".checkpoint"; fs::exists(parent / state, ignored))
+    return "A run failed or was ended; its last state and its log are in " +
+           one_printable_line(state) + ".";
   if (!fs::exists(folder, ignored))
     return "There is no such folder: no run has begun, or it failed and wrote nothing.";
   return "The folder holds no summary.json: no run has ended there.";

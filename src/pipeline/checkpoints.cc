@@ -148,6 +148,7 @@ void Checkpoints::remove() {
     fs::remove(file(slot), ignored);
     fs::remove(folder_ / ("." + file(slot).filename().string() + ".part"), ignored);
   }
+  fs::remove(folder_ / log_of_failure, ignored);
   fs::remove(folder_, ignored); // if nothing else is in it
 }
 

@@ -23,6 +23,9 @@ namespace prosup::pipeline {
 /// ends. Collective on `world`.
 class Checkpoints {
 public:
+  /// The log of a run that was ended and can go on, beside the checkpoints.
+  static constexpr const char* log_of_failure = "log_of_failed_run.txt";
+
   /// Of the command and its run into `output` with these parameters. The contents of the files that
   /// the section Case names belong to it. Keeps references to parameters, log and
   /// remarks.

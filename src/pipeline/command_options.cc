@@ -79,6 +79,8 @@ void add_output_option(CLI::App& command, ParameterOptions& options) {
   command.add_option("--output", options.output, "Folder for the results")->capture_default_str();
   command.add_flag("--overwrite", options.overwrite,
                    "Replace also files that prosup did not write or that changed since");
+  command.add_flag("--quiet", options.quiet,
+                   "Show warnings and errors only; log.txt in the results holds all");
 }
 
 void add_parameter_options(CLI::App& command, const OptionNames& names,

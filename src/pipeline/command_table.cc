@@ -5,6 +5,7 @@
 
 #include "prosup/core/collective.h"
 #include "prosup/core/file_system.h"
+#include "prosup/core/log_file.h"
 #include "prosup/core/output_file.h"
 #include "prosup/core/parameters.h"
 #include "prosup/core/text.h"
@@ -47,6 +48,8 @@ bool prepare(const ParameterOptions& options, AllParameters& parameters,
 /// `run` is a command of commands.h with a parameter file.
 template <typename Run>
 Outcome run_with_parameters(Run run, const ParameterOptions& options, MPI_Comm world) {
+  if (options.quiet)
+    show_warnings_only();
   AllParameters parameters;
   parameters.checkpoint.restart = options.restart;
   dealii::ParameterHandler handler;

@@ -5,9 +5,11 @@
 #include "comparison_runs.h"
 #include "machine.h"
 #include "prosup/core/collective.h"
+#include "prosup/core/log_file.h"
 #include "prosup/core/parameters.h"
 #include "prosup/core/result_folder.h"
 #include "prosup/pipeline/commands.h"
+#include "run_files.h"
 
 namespace prosup::pipeline {
 
@@ -23,7 +25,7 @@ std::string name_of(const fs::path& folder) {
 }
 
 std::vector<std::string> files_written(const std::string& name) {
-  return {name + ".csv", name + ".md", name + ".svg", "summary.json", "used.prm", "logs/"};
+  return {name + ".csv", name + ".md", name + ".svg", "summary.json", "used.prm", "logs/", log_txt};
 }
 
 /// All runs of a comparison, and what is written of them.
@@ -40,6 +42,7 @@ public:
   bool run(const dealii::ParameterHandler& all, const ResultTarget& target) {
     const fs::path& output = target.folder;
     ResultFolder folder(target, files_written(name_of(output)));
+    LogFile log_file(folder.path() / log_txt);
     write_parameters(all, folder.path() / "used.prm");
     comparison_ = {
         name_of(output),    parameters_.title,
@@ -48,9 +51,11 @@ public:
         parameters_.y_axes, parameters_.x_axis == "time" || parameters_.x_axis == "solve time"};
     make_runs(folder.path());
     output::write_comparison(comparison_, folder.path());
-    folder.commit();
     log_.line("\n" + output::comparison_table(comparison_.rows) + "\n" +
-              output::cost_models(comparison_.rows) + "\nResults are in " + output.string());
+              output::cost_models(comparison_.rows));
+    log_file.close();
+    folder.commit();
+    log_.line("Results are in " + output.string());
     return verdict(output);
   }
 

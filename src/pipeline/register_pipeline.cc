@@ -81,6 +81,7 @@ RegisterPipeline::RegisterPipeline(const CaseParameters& case_files,
   run_.summary().steps = 0;
   registration_.set_observer(
       [this](const registration::SimilarityRecord& record) { observe(record); });
+  run_.keep_log_of_failure(checkpoint.folder_for(output.folder) / Checkpoints::log_of_failure);
   if (registration_.has_state())
     checkpoints_ = std::make_unique<Checkpoints>("register", checkpoint, all, output.folder, world,
                                                  run_.log(), run_.remarks());
@@ -114,6 +115,8 @@ Outcome RegisterPipeline::run() {
   });
   if (checkpoints_)
     checkpoints_->remove();
+  if (outcome_ == Outcome::failed) // known on rank 0
+    run_.log().warning("The verdict is that the registration failed; the results say why.");
   return dealii::Utilities::MPI::broadcast(registration_.ranks().world(), outcome_);
 }
 

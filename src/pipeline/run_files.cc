@@ -106,7 +106,7 @@ Names files_written(const std::string& command, const dealii::ParameterHandler& 
     names = mesh_of(parameters.get({"Case"}, "State"));
   else
     names = of_one_state(command, parameters.get({"Case"}, "State"));
-  add(names, {"summary.json", "used.prm"});
+  add(names, {"summary.json", "used.prm", log_txt});
   return names;
 }
 

@@ -11,6 +11,9 @@
 
 namespace prosup::pipeline {
 
+/// The log in a result folder.
+constexpr const char* log_txt = "log.txt";
+
 /// What a command reads as far as its parameters name it, and the parameter file itself.
 std::vector<std::filesystem::path> files_read(const AllParameters& parameters,
                                               const std::filesystem::path& parameter_file);

@@ -31,6 +31,8 @@ SingleStateJob::SingleStateJob(const AllParameters& parameters, const dealii::Pa
       run_(command, all, output, world),
       checkpoints_(command, parameters.checkpoint, all, output.folder, world, run_.log(),
                    run_.remarks()) {
+  run_.keep_log_of_failure(parameters.checkpoint.folder_for(output.folder) /
+                           Checkpoints::log_of_failure);
   if (parameters.checkpoint.restart && parameters.model().simulation.method != "fe")
     throw Error("Finite differences leave no checkpoints; run without --restart.");
   scene_.chest_label = parameters.registration.labels.chest;

@@ -126,12 +126,26 @@ TEST_P(Register, ImageForcesLowerTheSsd) {
 }
 
 TEST_P(Register, ResultFolderIsComplete) {
-  for (const char* name :
-       {"summary.json", "used.prm", "landmarks.csv", "prone.pvd", "supine.pvd", "prone_loaded.vtu",
-        "prone_unloaded.vtu", "supine_loaded.vtu", "supine_unloaded.vtu", "registration.h5",
-        "registration.xdmf", "convergence.csv", "report.html", "valid_prone.nii.gz",
-        "valid_supine.nii.gz", "valid_unloaded_prone.nii.gz", "valid_unloaded_supine.nii.gz",
-        "prone_in_supine.nii.gz", "supine_in_prone.nii.gz"}) {
+  for (const char* name : {"summary.json",
+                           "used.prm",
+                           "landmarks.csv",
+                           "prone.pvd",
+                           "supine.pvd",
+                           "prone_loaded.vtu",
+                           "prone_unloaded.vtu",
+                           "supine_loaded.vtu",
+                           "supine_unloaded.vtu",
+                           "registration.h5",
+                           "registration.xdmf",
+                           "convergence.csv",
+                           "report.html",
+                           "valid_prone.nii.gz",
+                           "valid_supine.nii.gz",
+                           "valid_unloaded_prone.nii.gz",
+                           "valid_unloaded_supine.nii.gz",
+                           "prone_in_supine.nii.gz",
+                           "supine_in_prone.nii.gz",
+                           "log.txt"}) {
     ASSERT_TRUE(std::filesystem::is_regular_file(result().folder / name)) << name;
     EXPECT_GT(std::filesystem::file_size(result().folder / name), 0u) << name;
   }
@@ -143,6 +157,16 @@ TEST_P(Register, ResultFolderIsComplete) {
                    entry.path().string().find("checkpoint") != std::string::npos;
   EXPECT_GT(n_pictures, 0u);
   EXPECT_EQ(n_left_over, 0u);
+}
+
+// On two ranks another one than the first tells of supine.
+TEST_P(Register, LogHoldsWhatWasSaidWithTheTime) {
+  const std::string log = contents(result().folder / "log.txt");
+  for (const char* part : {"    prone: ", "    supine: ", "  Verdict: good\n"})
+    EXPECT_NE(log.find(part), std::string::npos) << part << " in " << log;
+  std::istringstream lines(log);
+  for (std::string line; std::getline(lines, line);)
+    EXPECT_EQ(line.substr(4, 1) + line.substr(13, 1), "-:") << line;
 }
 
 TEST_P(Register, FieldsAreFiniteAndLieOnTheRightGrids) {

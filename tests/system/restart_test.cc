@@ -40,8 +40,9 @@ protected:
               [&] { return contents(folder_ / "log").find(word) != std::string::npos; });
   }
 
-  /// Starts a run and kills it once it is `far_enough`.
-  void run_until(std::vector<std::string> words, const std::function<bool()>& far_enough) const {
+  /// Starts a run and ends it once it is `far_enough`.
+  void run_until(std::vector<std::string> words, const std::function<bool()>& far_enough,
+                 int signal = SIGKILL) const {
     const std::string log = folder_ / "log";
     text_file(log, "");
     const pid_t child = fork();
@@ -61,10 +62,10 @@ protected:
       has_ended = waitpid(child, &status, WNOHANG) == child;
     }
     if (!has_ended) {
-      kill(child, SIGKILL);
+      kill(child, signal);
       waitpid(child, &status, 0);
     }
-    ASSERT_TRUE(WIFSIGNALED(status)) << "it ended before it was killed";
+    ASSERT_FALSE(has_ended) << "it ended before it was killed";
     ASSERT_TRUE(fs::exists(checkpoint("a.h5")) || fs::exists(checkpoint("b.h5")));
   }
 
@@ -176,6 +177,16 @@ TEST_F(Restart, AnUnloadingGoesOn) {
     EXPECT_LT(a[i].distance(b[i]), 1e-3);
   EXPECT_EQ(read_json(folder_ / "whole/summary.json").at("steps"),
             read_json(output() + "/summary.json").at("steps"));
+}
+
+TEST_F(Restart, AnEndedRunLeavesItsLogBesideItsState) {
+  run_until(
+      arguments({"--quiet"}), [&] { return fs::exists(checkpoint("b.h5")); }, SIGTERM);
+  EXPECT_EQ(contents(folder_ / "log"), "") << "it was to be quiet";
+  const std::string log = contents(checkpoint("log_of_failed_run.txt"));
+  EXPECT_NE(log.find("  Meshing\n"), std::string::npos) << log;
+  EXPECT_NE(log.find("  Error: The run was ended.\n"), std::string::npos) << log;
+  EXPECT_FALSE(fs::exists(output()));
 }
 
 TEST_F(Restart, WithoutACheckpointItBegins) {

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "prosup/core/log.h"
+#include "prosup/core/log_file.h"
 #include "prosup/core/remarks.h"
 #include "prosup/core/result_folder.h"
 #include "prosup/output/summary.h"
@@ -25,6 +26,13 @@ public:
   /// reference to them. @throws Error as ResultFolder does.
   ResultRun(const std::string& command, const dealii::ParameterHandler& parameters,
             const ResultTarget& output, MPI_Comm world);
+  ~ResultRun();
+  ResultRun(const ResultRun&) = delete;
+  ResultRun& operator=(const ResultRun&) = delete;
+
+  /// If the run does not come to its end, its log becomes `file`, provided that the folder of the
+  /// file is there by then: where something of such a run is kept.
+  void keep_log_of_failure(const std::filesystem::path& file);
 
   const Log& log() const { return log_; }
   /// Where the files go until finish(); the same on all ranks.
@@ -35,20 +43,23 @@ public:
   /// Says what is doubtful, and keeps it as a warning of the summary; on rank 0.
   Remarks& remarks() { return remarks_; }
 
-  /// Announces, runs and times a stage.
-  void stage(const std::string& name, const std::function<void()>& work) { timer_.run(name, work); }
+  /// Announces, runs and times a stage. What it throws is told to the log file.
+  void stage(const std::string& name, const std::function<void()>& work);
   /// Runs what does not count as time of the run: its evaluation.
   void set_aside(const std::function<void()>& work) { timer_.set_aside(work); }
   /// Of the stages of that name, and of all, s.
   double seconds(const std::string& name) const { return timer_.seconds(name); }
   double seconds() const { return timer_.total(); }
 
-  /// Writes used.prm and summary.json, then on rank 0 what `write_last` makes of all files, moves
-  /// the results into place, and prints the times and the `report`. @returns Summary::converged.
+  /// Writes used.prm and summary.json, then on rank 0 what `write_last` makes of all files, prints
+  /// the times and the `report`, which end the log file, and moves the results into place.
+  /// @returns Summary::converged.
   bool finish(
       const std::string& report = "", const std::function<void()>& write_last = [] {});
 
 private:
+  void save_log() const;
+
   MPI_Comm world_;
   const dealii::ParameterHandler& parameters_;
   const std::filesystem::path output_;
@@ -58,6 +69,9 @@ private:
   std::unique_ptr<ResultFolder> result_;   // on rank 0
   std::unique_ptr<Unfinished> unfinished_; // on the others
   std::filesystem::path folder_;
+  std::unique_ptr<LogFile> log_file_;
+  std::filesystem::path log_of_failure_;    // empty: it is not kept
+  std::unique_ptr<Unfinished> unsaved_log_; // on rank 0; is saved before the folder is cleared away
   output::Summary summary_;
 };
 

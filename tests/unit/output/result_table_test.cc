@@ -47,17 +47,21 @@ TEST_F(ResultTables, HaveARowForEachFinishedRegistration) {
 TEST_F(ResultTables, SayWhereThereIsNoResult) {
   std::filesystem::create_directories(folder_ / "empty");
   std::filesystem::create_directories(folder_ / ".new.incomplete");
+  std::filesystem::create_directories(folder_ / "kept.checkpoint");
   const ResultTable all =
-      table({folder_ / "none", folder_ / "empty", folder_ / "new", result("damaged", "{\"quality"),
+      table({folder_ / "none", folder_ / "empty", folder_ / "new", folder_ / "kept",
+             result("damaged", "{\"quality"),
              result("odd", R"({"quality": {"verdict": 3, "reasons": 4}, "tre": 5, "time": "x"})"),
              result("mesh", R"({"command": "mesh"})"), result("fine", summary)});
-  EXPECT_EQ(all.n_unfinished(), 5u);
+  EXPECT_EQ(all.n_unfinished(), 6u);
   const std::string csv = all.csv();
   for (const char* row :
        {"none,unfinished,,\"There is no such folder",
         "empty,unfinished,,The folder holds no summary",
-        "new,unfinished,,\"A run into this folder is going on", "damaged,unreadable,,\"Its summary",
-        "odd,finished,,,,,,,,", "mesh,unreadable,,\"Its summary", "fine,finished,doubtful,"})
+        "new,unfinished,,\"A run into this folder is going on",
+        "kept,unfinished,,A run failed or was ended; its last state and its log are in kept",
+        "damaged,unreadable,,\"Its summary", "odd,finished,,,,,,,,",
+        "mesh,unreadable,,\"Its summary", "fine,finished,doubtful,"})
     EXPECT_NE(csv.find(std::string("\n") + row), std::string::npos) << row << " in " << csv;
 }
 
