@@ -1,4 +1,5 @@
 #include <deal.II/base/mpi.h>
+#include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/lapack_full_matrix.h>
 #include <gtest/gtest.h>
 
