@@ -101,8 +101,11 @@ public:
   /// What the prior adds to the dissimilarity.
   double prior(const MechanicalProperties& properties) const {
     double sum = 0.;
-    for (const SearchedProperty* property : searched_)
-      sum += property->surprise(properties);
+    for (unsigned i = 0; i < searched_.size(); ++i) {
+      sum += searched_[i]->surprise(properties);
+      if (const double unlike = difference_within_name(i, properties); unlike != 0.)
+        sum += 0.5 * std::pow(unlike / searched_[i]->alike, 2);
+    }
     return prior_weight_ * sum;
   }
 
@@ -119,6 +122,16 @@ public:
       const double information = prior_weight_ / (property.deviation * property.deviation);
       matrix(i, i) += information;
       slope[i] += information * (property.get(properties) - property.mean);
+      if (is_alike(i)) {
+        const double likeness = prior_weight_ / (property.alike * property.alike),
+                     unlike = difference_within_name(i, properties);
+        matrix(i, i) += likeness;
+        matrix(i - 1, i - 1) += likeness;
+        matrix(i, i - 1) -= likeness;
+        matrix(i - 1, i) -= likeness;
+        slope[i] += likeness * unlike;
+        slope[i - 1] -= likeness * unlike;
+      }
     }
     if (!(largest > 0.)) // nothing changes the images
       return properties;
@@ -137,6 +150,13 @@ public:
   }
 
 private:
+  bool is_alike(unsigned i) const { return searched_[i]->alike > 0.; }
+
+  /// Of q from that of the property which it is like; 0 if there is none.
+  double difference_within_name(unsigned i, const MechanicalProperties& properties) const {
+    return is_alike(i) ? searched_[i]->get(properties) - searched_[i - 1]->get(properties) : 0.;
+  }
+
   void derive_by_trials() {
     residuals_ = trials_.residuals();
     derivatives_.assign(searched_.size(), std::vector<float>(residuals_.size(), 0.f));

@@ -10,6 +10,9 @@ namespace {
 // k0/(k0 + k) of one that is as good as fixed.
 constexpr double usual_cut = 40., stiffest_cut = 0.004;
 
+// Of these shares of one patient, whose cuts go through the same tissue.
+constexpr double cuts_alike = 0.2;
+
 constexpr double usual_skin = 8000.; // Pa mm
 
 constexpr double degree = 3.14159265358979323846 / 180.;
@@ -35,7 +38,9 @@ SearchedProperty cut_plane() {
           0.97,
           0.5,
           1.,
-          true};
+          true,
+          false,
+          position == Position::supine ? cuts_alike : 0.};
 }
 
 } // namespace

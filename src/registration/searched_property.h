@@ -19,6 +19,8 @@ struct SearchedProperty {
   double mean, deviation;
   bool may_be_low = false; ///< the low end is plausible
   bool is_subtle = false;  ///< seen only once the others are nearly right: on the finest level
+  /// If not 0: the deviation of q from that of the property before, which is of the same name.
+  double alike = 0.;
 
   /// Minus the logarithm of its prior probability, but for a constant.
   double surprise(const MechanicalProperties& properties) const {
