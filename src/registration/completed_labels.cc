@@ -8,10 +8,18 @@ image::LabelImage completed_labels(const image::LabelImage& given, Position posi
                                    unsigned chest_label, const Log& log,
                                    std::vector<std::string>& remarks) {
   std::size_t n_filled = 0;
-  const image::LabelImage labels = image::with_inside_of_chest(given, chest_label, &n_filled);
+  image::LabelImage labels = image::with_inside_of_chest(given, chest_label, &n_filled);
   if (n_filled > 0)
     log.line(format("  %s: %.3g ml of air behind the chest label taken for chest",
                     name_of(position), 1e-3 * double(n_filled) * given.grid.voxel_volume()));
+  if (const auto parts = image::take_off_hanging_parts(labels, chest_label))
+    remarks.push_back(format(
+        "%.3g ml of the mask of the %s breast, around (%.0f, %.0f, %.0f) mm, hang on necks thinner "
+        "than 6 mm; they were left out as noise or a fold beside the body, so look there, and "
+        "label "
+        "them 0, or more of the tissue between.",
+        1e-3 * parts->volume, name_of(position), parts->centre[0], parts->centre[1],
+        parts->centre[2]));
   const std::vector<image::FlatEnd> ends = image::flat_ends(labels, chest_label);
   for (const image::FlatEnd& end : ends) {
     dealii::Tensor<1, 3> outwards;

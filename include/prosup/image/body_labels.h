@@ -1,6 +1,7 @@
 #ifndef PROSUP_IMAGE_BODY_LABELS_H
 #define PROSUP_IMAGE_BODY_LABELS_H
 
+#include <optional>
 #include <vector>
 
 #include "prosup/image/voxel_image.h"
@@ -31,6 +32,18 @@ std::vector<FlatEnd> flat_ends(const LabelImage& labels, unsigned chest_label);
 
 /// The part of the image up to these ends, which then lie in its border.
 LabelImage cropped_to(const LabelImage& labels, const std::vector<FlatEnd>& ends);
+
+/// Tissue that hangs on the body by a thin neck.
+struct HangingParts {
+  double volume = 0.; ///< mm^3
+  Point<3> centre;    ///< of all of them, LPS mm
+};
+
+/// Labels such tissue 0: noise, ghosts and coil beside a body that a mask took for tissue. These
+/// are the parts of the body (all labels but 0) that an erosion by 3 mm divides from its largest
+/// part. Parts of more than 5 % of the tissue are kept, and so is what an erosion removes
+/// altogether. Necks are looked for on voxels of about 2 mm. Nothing if there are no such parts.
+std::optional<HangingParts> take_off_hanging_parts(LabelImage& labels, unsigned chest_label);
 
 } // namespace prosup::image
 

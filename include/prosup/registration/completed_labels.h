@@ -11,9 +11,10 @@
 namespace prosup::registration {
 
 /// The labels from which a breast is meshed: air behind a sheath of chest muscle is chest
-/// (image::with_inside_of_chest()), and the image ends where the mask ends flat inside it
+/// (image::with_inside_of_chest()), what hangs on a thin neck is air
+/// (image::take_off_hanging_parts()), and the image ends where the mask ends flat inside it
 /// (image::flat_ends()), so that there is a cut plane and no skin. Tells `log` of the first, and
-/// adds a sentence to `remarks` for each of the second.
+/// adds sentences to `remarks` for the others.
 image::LabelImage completed_labels(const image::LabelImage& given, Position position,
                                    unsigned chest_label, const Log& log,
                                    std::vector<std::string>& remarks);

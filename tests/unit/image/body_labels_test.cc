@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace prosup::tests {
@@ -126,6 +127,55 @@ TEST(FlatEnds, AreNoneWhereTissueGoesOn) {
       for (std::size_t i = 30; i < 50; ++i)
         labels(i, j, k) = fat;
   EXPECT_TRUE(image::flat_ends(labels, chest).empty());
+}
+
+/// Labels the voxels from `low` to `high` as fat.
+void add_box(LabelImage& labels, const std::array<std::size_t, 3>& low,
+             const std::array<std::size_t, 3>& high) {
+  for (std::size_t k = low[2]; k < high[2]; ++k)
+    for (std::size_t j = low[1]; j < high[1]; ++j)
+      for (std::size_t i = low[0]; i < high[0]; ++i)
+        labels(i, j, k) = fat;
+}
+
+/// A ball, and beside it a box of 12 mm that hangs on a neck of `width`, mm.
+LabelImage ball_with_lump(std::size_t width) {
+  LabelImage labels = ball(100., 22.);
+  add_box(labels, {66, 34, 34}, {78, 46, 46});
+  const std::size_t low = 40 - width / 2, high = low + width;
+  add_box(labels, {50, low, low}, {66, high, high});
+  return labels;
+}
+
+TEST(HangingParts, OnAThinNeckAreNoTissue) {
+  LabelImage labels = ball_with_lump(4);
+  const auto parts = image::take_off_hanging_parts(labels, chest);
+  ASSERT_TRUE(parts);
+  EXPECT_NEAR(parts->volume, 12. * 12. * 12., 150.);
+  EXPECT_NEAR(parts->centre[0], 32., 1.);
+  EXPECT_EQ(labels(72, 40, 40), 0);
+  // Of the ball nothing is missing.
+  LabelImage both = labels;
+  add_box(both, {50, 38, 38}, {66, 42, 42});
+  LabelImage expected = ball(100., 22.);
+  add_box(expected, {50, 38, 38}, {66, 42, 42});
+  EXPECT_EQ(both.values, expected.values);
+}
+
+TEST(HangingParts, AreNoneWithoutLabels) {
+  LabelImage none, air(ball(100.).grid);
+  EXPECT_FALSE(image::take_off_hanging_parts(none, chest));
+  EXPECT_FALSE(image::take_off_hanging_parts(air, chest));
+}
+
+TEST(HangingParts, AreKeptOnAThickNeckOrIfTheyAreLarge) {
+  for (LabelImage labels : {ball_with_lump(10), ball(100.)}) {
+    if (labels(72, 40, 40) == 0)
+      add_box(labels, {75, 10, 10}, {80, 70, 70});
+    const LabelImage before = labels;
+    EXPECT_FALSE(image::take_off_hanging_parts(labels, chest));
+    EXPECT_EQ(labels.values, before.values);
+  }
 }
 
 } // namespace
