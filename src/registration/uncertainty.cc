@@ -31,12 +31,13 @@ constexpr double chest_layer = 10., cut_layer = 40.; // mm
 constexpr double level = 2.;                         // mm, of the voxels for H
 
 // Fitted to reference cases, see docs/uncertainty.md.
-constexpr double image_weight = 10.; // w: the model is trusted less than by the image forces
-constexpr double prior = 3000.;      // tau/V, Pa
-constexpr double unseen_part = 1.;   // b
-constexpr unsigned unseen_power = 4; // of u
-constexpr double cut_part = 15.;     // c
-constexpr double cut_reach = 15.;    // l, mm
+constexpr double image_weight = 10.;  // w: the model is trusted less than by the image forces
+constexpr double prior = 4000.;       // tau/V, Pa
+constexpr double cut_part = 1.7;      // c
+constexpr double cut_reach = 8.;      // l, mm
+constexpr double wall_part = 20.;     // e
+constexpr double wall_reach = 12.5;   // m, mm
+constexpr double usual_motion = 0.87; // D0, mm
 
 /// The breast on springs instead of supports that do not give way, at its present X.
 struct YieldingBreast {
@@ -81,18 +82,20 @@ double distance_moved(const BreastPair& pair, const PerPosition<NodeVector>& sta
   return total;
 }
 
-/// The distance of each owned node from the closest node on a cut plane, mm.
-std::vector<double> distance_from_cut(const mechanics::Body& body, const NodeVector& unloaded) {
+/// The distance of each owned node from the closest node of a part of the boundary, mm; infinite if
+/// there is none.
+std::vector<double> distance_from(dealii::types::boundary_id part, const mechanics::Body& body,
+                                  const NodeVector& unloaded) {
   std::vector<Point<3>> mine;
-  const std::vector<bool> is_cut = nodes_on_boundary(body, {cut_plane});
+  const std::vector<bool> is_part = nodes_on_boundary(body, {part});
   for (unsigned node = 0; node < body.n_owned_nodes(); ++node)
-    if (is_cut[node])
+    if (is_part[node])
       mine.emplace_back(node_value(unloaded, node));
   const std::vector<Point<3>> all = all_gathered(mine, body.communicator());
   std::vector<double> distances;
   for (unsigned node = 0; node < body.n_owned_nodes(); ++node) {
     const Point<3> x(node_value(unloaded, node));
-    double least = std::numeric_limits<double>::max();
+    double least = std::numeric_limits<double>::infinity();
     for (const Point<3>& point : all)
       least = std::min(least, x.distance_square(point));
     distances.push_back(std::sqrt(least));
@@ -100,13 +103,18 @@ std::vector<double> distance_from_cut(const mechanics::Body& body, const NodeVec
   return distances;
 }
 
-/// C of UncertaintyParameters from the inverse stiffness with and without images.
-NodeCovariance combined(const NodeCovariance& seen, const NodeCovariance& unseen, double voxel,
-                        double moved, double from_cut) {
-  const double all = trace(unseen), left = std::min(trace(seen) / all, 1.);
-  NodeCovariance wrong = unseen_part * std::pow(left, unseen_power) / all * unseen;
-  wrong += cut_part / 3. * std::exp(-2. * from_cut / cut_reach) * unit_symmetric_tensor<3>();
-  return prior * voxel * seen + moved * moved * wrong;
+/// What a wrong model leaves along one axis, mm^2: the second term of C of UncertaintyParameters.
+std::vector<double> left_by_model(const mechanics::Body& body, const NodeVector& unloaded,
+                                  double moved) {
+  const double all = moved * moved, unusual = std::max(all - usual_motion * usual_motion, 0.);
+  const std::vector<double> from_cut = distance_from(cut_plane, body, unloaded),
+                            from_wall = distance_from(chest_wall, body, unloaded);
+  std::vector<double> variances;
+  for (std::size_t node = 0; node < from_cut.size(); ++node)
+    variances.push_back((cut_part * all * std::exp(-2. * from_cut[node] / cut_reach) +
+                         wall_part * unusual * std::exp(-2. * from_wall[node] / wall_reach)) /
+                        3.);
+  return variances;
 }
 
 /// Values at owned nodes on the nodes of the mesh, on the first rank of the breast.
@@ -183,10 +191,9 @@ UncertaintyParameters::covariances(const BreastPair& pair, const ComparedImages&
     const PosteriorBody body{yielding.supports, elements.material(), yielding.unloaded};
     std::vector<NodeCovariance> mine =
         sampled_inverse(body, found.stiffness[position], 2. * kappa, n_samples_);
-    const std::vector<NodeCovariance> unseen = sampled_inverse(body, {}, 0., n_samples_);
-    const std::vector<double> from_cut = distance_from_cut(elements.body(), yielding.unloaded);
+    const std::vector<double> wrong = left_by_model(elements.body(), yielding.unloaded, moved);
     for (std::size_t node = 0; node < mine.size(); ++node)
-      mine[node] = combined(mine[node], unseen[node], voxel, moved, from_cut[node]);
+      mine[node] = prior * voxel * mine[node] + wrong[node] * unit_symmetric_tensor<3>();
     covariances[position] = at_mesh_nodes(elements, mine);
   });
   collect(pair.ranks(), covariances);
