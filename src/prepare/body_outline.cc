@@ -3,15 +3,13 @@
 // A macro of deal.II, which the precompiled header brings, and a function of ITK's statistics.
 #undef Assert
 
-#include <itkFlatStructuringElement.h>
-#include <itkGrayscaleDilateImageFilter.h>
-#include <itkGrayscaleErodeImageFilter.h>
 #include <itkOtsuThresholdImageFilter.h>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "boxes.h"
 #include "flood.h"
 #include "image/itk_bridge.h"
 #include "prosup/core/error.h"
@@ -27,15 +25,18 @@ using image::LabelImage;
 using image::ScalarImage;
 using Itk = image::ItkImage<float>;
 
-constexpr double blur = 0.7;       // mm, against noise
-constexpr double peak_radius = 2.; // mm
-constexpr double wide_radius = 8.; // mm
-constexpr double far_radius = 25.; // mm
-constexpr double wide_edge = 3.;   // mm, of the voxels for the wide peak
-constexpr double notch = 3.;       // mm, half of the width of what is closed
-constexpr double skin_depth = 4.;  // mm
-constexpr double gap = 5.;         // mm, of outlines with holes
-constexpr double undercut = 40.;   // mm
+constexpr double blur = 0.7;                   // mm, against noise
+constexpr double peak_radius = 2.;             // mm
+constexpr double wide_radius = 8.;             // mm
+constexpr double far_radius = 25.;             // mm
+constexpr double wide_edge = 3.;               // mm, of the voxels for the wide peak
+constexpr double notch = 3.;                   // mm, half of the width of what is closed
+constexpr double skin_depth = 4.;              // mm
+constexpr double gap = 5.;                     // mm, of outlines with holes
+constexpr double skin = 2.;                    // mm
+constexpr double fat_begin = 4., fat_end = 8.; // mm below the air
+constexpr double bright_skin = 1.35;           // of the fat below it
+constexpr double undercut = 40.;               // mm
 constexpr float half = 0.5f, quarter = 0.25f, tenth = 0.1f;
 constexpr double ct_threshold = -500.;
 
@@ -49,25 +50,6 @@ double noise_threshold(const ScalarImage& image) {
   otsu->SetNumberOfHistogramBins(256);
   otsu->Update();
   return std::expm1(double(otsu->GetThreshold()));
-}
-
-using Box = itk::FlatStructuringElement<3>;
-
-/// A box that reaches `radius` mm from its centre.
-Box box(const image::VoxelGrid& grid, double radius) {
-  Box::RadiusType n_voxels;
-  for (unsigned d = 0; d < 3; ++d)
-    n_voxels[d] = static_cast<unsigned long>(std::lround(radius / grid.spacing[d]));
-  return Box::Box(n_voxels);
-}
-
-/// Largest intensity in a box that reaches `radius` mm from each voxel.
-ScalarImage local_peak(const ScalarImage& image, double radius) {
-  auto dilate = itk::GrayscaleDilateImageFilter<Itk, Itk, Box>::New();
-  dilate->SetInput(image::as_itk(image));
-  dilate->SetKernel(box(image.grid, radius));
-  dilate->Update();
-  return image::from_itk<float>(*dilate->GetOutput(), image.grid);
 }
 
 /// 1 where a straight line from the front face of the image meets nothing that is not `passable`.
@@ -84,23 +66,6 @@ LabelImage seen_from_front(const LabelImage& passable) {
         seen(i, j, k) = 1;
       }
   return seen;
-}
-
-/// The mask without what is nearer than `radius` mm to its outside, in boxes.
-LabelImage eroded(const LabelImage& mask, double radius) {
-  using Image = image::ItkImage<std::uint8_t>;
-  auto erode = itk::GrayscaleErodeImageFilter<Image, Image, Box>::New();
-  erode->SetInput(image::as_itk(mask));
-  erode->SetKernel(box(mask.grid, radius));
-  erode->Update();
-  return image::from_itk<std::uint8_t>(*erode->GetOutput(), mask.grid);
-}
-
-/// The mask with notches filled that are narrower than a box of `radius` mm.
-LabelImage closed(const LabelImage& mask, double radius) {
-  const LabelImage outside = image::select_labels(mask, {0});
-  const LabelImage dilated = image::select_labels(eroded(outside, radius), {0});
-  return eroded(dilated, radius);
 }
 
 /// The part of `open` that belongs to the air in front: what is seen from the front, and what lies
@@ -150,13 +115,46 @@ LabelImage solid_parts(const ScalarImage& smooth, double threshold, bool is_ct) 
                [&](std::size_t v) { return above(v) && smooth.values[v] > tenth * peak(v); });
 }
 
-/// 1 where the intensity is below half of the peak nearby or a quarter of that in a wider box.
-LabelImage below_peaks(const ScalarImage& smooth) {
-  const ScalarImage peak = local_peak(smooth, peak_radius);
-  const WidePeak wide_peak(smooth, wide_radius);
+/// Peaks of the tissue nearby, against which the edge of the skin is found.
+struct SkinPeaks {
+  explicit SkinPeaks(const ScalarImage& smooth)
+      : near(local_peak(smooth, peak_radius)), wide(smooth, wide_radius) {}
+  const ScalarImage near;
+  const WidePeak wide;
+};
+
+/// 1 where the intensity is below a share of the peak nearby or a quarter of that in a wider box.
+LabelImage below_peaks(const ScalarImage& smooth, const SkinPeaks& peaks, float share) {
   return where(smooth, [&](std::size_t v) {
-    return smooth.values[v] <= half * peak.values[v] || smooth.values[v] <= quarter * wide_peak(v);
+    return smooth.values[v] <= share * peaks.near.values[v] ||
+           smooth.values[v] <= quarter * peaks.wide(v);
   });
+}
+
+/// Median of an image from `begin` to `end` mm below the air.
+double median_below(const ScalarImage& image, const LabelImage& air, double begin, double end) {
+  const LabelImage all(air.grid, 1);
+  LabelImage above = air, layer = air;
+  flood(above, all, begin);
+  flood(layer, all, end);
+  std::vector<float> values;
+  for (std::size_t v = 0; v < layer.values.size(); ++v)
+    if (layer.values[v] != 0 && above.values[v] == 0)
+      values.push_back(image.values[v]);
+  return values.empty() ? 0. : double(quantile(std::move(values), 0.5));
+}
+
+/// Extends the air to the middle of the skin's edge in MR. The peak there is that of the skin, or
+/// that of fat if fat is brighter; then skin is about half as bright as fat.
+void extend_to_skin(LabelImage& air, const ScalarImage& smooth) {
+  const SkinPeaks peaks(smooth);
+  LabelImage to_half = air;
+  flood(to_half, below_peaks(smooth, peaks, half), skin_depth);
+  if (median_below(peaks.near, to_half, 0., skin) >
+      bright_skin * median_below(smooth, to_half, fat_begin, fat_end))
+    air = std::move(to_half);
+  else
+    flood(air, below_peaks(smooth, peaks, quarter), skin_depth);
 }
 
 double median_of_air(const ScalarImage& image, const LabelImage& air) {
@@ -178,12 +176,9 @@ Outline find_outline(const ScalarImage& image, bool is_ct) {
   Outline outline;
   outline.threshold = is_ct ? ct_threshold : noise_threshold(smooth);
   const LabelImage solid = image::largest_component(solid_parts(smooth, outline.threshold, is_ct));
-  LabelImage open = image::select_labels(solid, {0});
-  LabelImage air = air_in_front(open);
-  if (!is_ct) {
-    open = below_peaks(smooth);
-    flood(air, open, skin_depth);
-  }
+  LabelImage air = air_in_front(image::select_labels(solid, {0}));
+  if (!is_ct)
+    extend_to_skin(air, smooth);
   const LabelImage body = image::largest_component(closed(image::select_labels(air, {0}), notch));
   const auto n_body = std::count(body.values.begin(), body.values.end(), 1);
   if (n_body == 0 || std::size_t(n_body) == body.values.size())
