@@ -14,7 +14,8 @@ using namespace dealii;
 
 namespace {
 
-constexpr unsigned largest_label = 255; // label images have 8 bits
+constexpr unsigned largest_label = 255;             // label images have 8 bits
+constexpr unsigned default_unknown = largest_label; // as in the header
 
 void require_value(unsigned label, const char* entry) {
   if (label < 1 || label > largest_label)
@@ -38,9 +39,18 @@ void Labels::declare_parameters(ParameterHandler& prm) {
                     "Which of the tissues is gland. The material update may find how much stiffer "
                     "it is than the others. 0: the labels do not mark gland.",
                     Patterns::Integer(0, largest_label));
+  prm.add_parameter("Unknown", unknown,
+                    "Label of what the image does not show, such as the outside of a "
+                    "reconstruction circle. Tissue that touches it is cut off there, as by the "
+                    "border of the image. 0: the labels do not mark it.",
+                    Patterns::Integer(0, largest_label));
 }
 
 void Labels::parse_parameters(ParameterHandler&) {
+  // Masks that have 255 for tissue do not mark what is unknown by it.
+  const bool is_tissue = std::find(tissues.begin(), tissues.end(), unknown) != tissues.end();
+  if (unknown == default_unknown && (is_tissue || unknown == chest))
+    unknown = 0;
   check();
 }
 
@@ -56,6 +66,10 @@ void Labels::check() const {
                          "give each label once.",
                          tissue));
   }
+  if (unknown != 0 && used.count(unknown) > 0)
+    throw Error(format("The label %u of 'Labels/Unknown' is also one of the chest or of a tissue; "
+                       "give another, or 0 if the labels do not mark what is unknown.",
+                       unknown));
   if (gland != 0 && std::find(tissues.begin(), tissues.end(), gland) == tissues.end())
     throw Error(format("'Labels/Gland' is %u, which is none of 'Labels/Tissues'; give one of them, "
                        "or 0 if the label images do not mark gland.",

@@ -119,16 +119,16 @@ std::vector<std::uint8_t> sample_tissue(const TetMesh& mesh, const image::LabelI
 }
 
 std::vector<BoundaryFace> find_boundary(const TetMesh& mesh, const image::LabelImage& labels,
-                                        const std::vector<unsigned>& tissue_labels,
-                                        unsigned chest_label) {
+                                        const Labels& meaning) {
   std::vector<BoundaryFace> result;
   for (const OuterFace& face : outer_faces(mesh)) {
     const std::array<Point<3>, 3> corners{mesh.points[face.nodes[0]], mesh.points[face.nodes[1]],
                                           mesh.points[face.nodes[2]]};
     BoundaryPart part = BoundaryPart::skin;
-    if (in_image_border(corners, labels.grid))
+    const unsigned beyond = label_beyond(corners, labels, meaning.tissues);
+    if (in_image_border(corners, labels.grid) || (beyond == meaning.unknown && beyond != 0))
       part = BoundaryPart::cut_plane;
-    else if (label_beyond(corners, labels, tissue_labels) == chest_label)
+    else if (beyond == meaning.chest)
       part = BoundaryPart::chest_wall;
     result.push_back({face.nodes, part});
   }

@@ -1,6 +1,7 @@
 #ifndef PROSUP_MESH_LABELLING_H
 #define PROSUP_MESH_LABELLING_H
 
+#include "prosup/core/labels.h"
 #include "prosup/image/voxel_image.h"
 #include "prosup/mesh/tet_mesh.h"
 
@@ -14,11 +15,10 @@ std::vector<std::uint8_t> sample_tissue(const TetMesh& mesh, const image::LabelI
                                         const std::vector<unsigned>& tissue_labels);
 
 /// The faces of one cell only, normals outwards: cut planes in the outer faces
-/// of the image, chest wall where the way outwards meets `chest_label` before
-/// another label, else skin.
+/// of the image and where the way outwards meets what is unknown before another
+/// label, chest wall where it meets the chest, else skin.
 std::vector<BoundaryFace> find_boundary(const TetMesh& mesh, const image::LabelImage& labels,
-                                        const std::vector<unsigned>& tissue_labels,
-                                        unsigned chest_label);
+                                        const Labels& meaning);
 
 } // namespace prosup::mesh
 

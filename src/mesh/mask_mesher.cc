@@ -151,7 +151,7 @@ TetMesh MaskMesher::mesh(const image::LabelImage& labels) const {
                      smoothing * std::cbrt(labels.grid.voxel_volume()));
   TetMesh result = mesh_with_patience(phi, edge_length);
   result.tissue = sample_tissue(result, upright, labels_.tissues);
-  result.boundary_faces = find_boundary(result, upright, labels_.tissues, labels_.chest);
+  result.boundary_faces = find_boundary(result, upright, labels_);
   to_physical(result, labels.grid);
   return result;
 }

@@ -49,6 +49,7 @@ void set(Json& json, const char* name, const std::optional<PreparationSummary>& 
                                  {"weak_chest_edge", scan->weak_edge},
                                  {"bridged_chest_cm2", scan->bridged_area},
                                  {"odd_chest_cm2", scan->odd_area},
+                                 {"unknown_contact_cm2", scan->unknown_contact},
                                  {"tissue_separation", scan->separation},
                                  {"doubts", scan->doubts}};
 }

@@ -38,7 +38,8 @@ bool run_mesh(const AllParameters& parameters, const dealii::ParameterHandler& a
       checks.check_one(labels, position).tell(run.remarks());
       std::vector<std::string> remarks;
       labels = registration::completed_labels(
-          labels, position, parameters.registration.labels.chest, run.log(), remarks);
+          labels, position, parameters.registration.labels.chest,
+          parameters.registration.labels.unknown, run.log(), remarks);
       for (const std::string& remark : remarks)
         run.remarks().add(remark);
     });

@@ -49,8 +49,8 @@ private:
     if (!all_.scans.gives(Position::prone))
       text += "  set State = supine\n";
     text += format("end\n\nsubsection Labels\n  set Chest = %u\n  set Tissues = %s\n  set Gland = "
-                   "%u\nend\n",
-                   labels.chest, joined(labels.tissues).c_str(), labels.gland);
+                   "%u\n  set Unknown = %u\nend\n",
+                   labels.chest, joined(labels.tissues).c_str(), labels.gland, labels.unknown);
     const similarity::SimilarityParameters& similarity = all_.registration.similarity;
     if (differ_ || !similarity.is_automatic())
       text += "\nsubsection Similarity\n  set Metric = " + similarity.make_metric(differ_)->name() +

@@ -85,6 +85,7 @@ void ScanStage::write(Position position) {
   summary.weak_edge = confidence.weak_edge;
   summary.bridged_area = confidence.bridged_area;
   summary.odd_area = confidence.odd_area;
+  summary.unknown_contact = prepared_.unknown_contact;
   summary.separation = confidence.separation;
   summary.doubts = confidence.doubts;
 }

@@ -37,6 +37,7 @@ SingleStateJob::SingleStateJob(const AllParameters& parameters, const dealii::Pa
     throw Error("Finite differences leave no checkpoints; run without --restart.");
   scene_.chest_label = parameters.registration.labels.chest;
   scene_.gland_label = parameters.registration.labels.gland;
+  scene_.unknown_label = parameters.registration.labels.unknown;
 }
 
 bool SingleStateJob::run() {

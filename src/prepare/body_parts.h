@@ -5,7 +5,7 @@
 
 namespace prosup::prepare {
 
-inline constexpr std::uint8_t in_front_of_wall = 1, behind_wall = 2;
+inline constexpr std::uint8_t in_front_of_wall = 1, behind_wall = 2, not_shown = 3;
 
 /// Splits the body at the chest wall, or as the masks tell; they are on the grid of the body.
 image::LabelImage front_and_chest(const image::LabelImage& body, const TrunkSurface& chest,

@@ -107,6 +107,7 @@ PreparedScan Preparation::run(ScalarImage scan, const Log& log, const UserMasks&
   const bool is_ct = result.contrast == Contrast::ct;
   log.progress("  outline of the body");
   const Outline outline = find_outline(scan, is_ct);
+  const std::optional<UnknownRegion> unknown = find_unknown(scan, outline.body);
   if (!is_ct && bias_correction_ == "n4") {
     log.progress("  bias field");
     scan = without_bias(scan, outline.body, outline.threshold);
@@ -116,7 +117,11 @@ PreparedScan Preparation::run(ScalarImage scan, const Log& log, const UserMasks&
   const ChestWall wall = wall_of({scan, outline.body, outline.air, is_ct}, axis, masks, result);
   log.line("  " + describe(result.contrast) +
            (contrast_ == "automatic" ? ", as recognised" : ", as given"));
-  const LabelImage parts = front_and_chest(outline.body, wall.surface, masks);
+  LabelImage parts = front_and_chest(outline.body, wall.surface, masks);
+  if (unknown) {
+    mark_unknown(*unknown, outline.air, scan, parts, log);
+    result.unknown_contact = unknown->contact;
+  }
   const LabelImage front = image::select_labels(parts, {in_front_of_wall});
   require_whole_front(front);
   log.progress("  fat and gland");
@@ -134,11 +139,24 @@ PreparedScan Preparation::run(ScalarImage scan, const Log& log, const UserMasks&
   return result;
 }
 
+void Preparation::mark_unknown(const UnknownRegion& region, double air, ScalarImage& scan,
+                               LabelImage& parts, const Log& log) const {
+  for (std::size_t v = 0; v < parts.values.size(); ++v)
+    if (region.mask.values[v] != 0) {
+      parts.values[v] = not_shown;
+      scan.values[v] = float(air);
+    }
+  log.line(format("  the scan shows nothing beyond %.1f cm^2 of tissue (%g in all voxels): label "
+                  "%u, what is unknown",
+                  region.contact, region.value, labels_.unknown));
+}
+
 LabelImage Preparation::labels_of(const LabelImage& parts, const LabelImage& gland) const {
   LabelImage labels(parts.grid);
   for (std::size_t v = 0; v < parts.values.size(); ++v)
     if (parts.values[v] != 0)
       labels.values[v] = static_cast<std::uint8_t>(parts.values[v] == behind_wall ? labels_.chest
+                                                   : parts.values[v] == not_shown ? labels_.unknown
                                                    : gland.values[v] != 0         ? labels_.gland
                                                                                   : labels_.fat());
   return labels;

@@ -41,7 +41,8 @@ struct Chest {
   std::vector<bool> seen;
   ScalarImage distance;
 
-  Chest(const VoxelGrid& grid, const LabelImage& original, unsigned chest_label)
+  Chest(const VoxelGrid& grid, const LabelImage& original, unsigned chest_label,
+        unsigned unknown_label)
       : labels(grid), mask(grid), seen(grid.n_voxels()) {
     std::size_t v = 0;
     for (std::size_t k = 0; k < grid.size[2]; ++k)
@@ -52,6 +53,8 @@ struct Chest {
           seen[v] = shows(original.grid, at);
           labels.values[v] = image::nearest_label(original, at);
           mask.values[v] = labels.values[v] == chest_label;
+          if (labels.values[v] == unknown_label)
+            labels.values[v] = 0; // no tissue
         }
     distance = distance_to(mask);
   }
@@ -76,8 +79,8 @@ ChestMisfit measure_chest_misfit(const similarity::Scene& scene) {
   for (const Position position : both_positions)
     include(box, scene.labels[position].grid);
   const VoxelGrid grid = image::grid_around(box.low, box.high, edge, 0.);
-  const Chest prone(grid, scene.labels.prone, scene.chest_label),
-      supine(grid, scene.labels.supine, scene.chest_label);
+  const Chest prone(grid, scene.labels.prone, scene.chest_label, scene.unknown_label),
+      supine(grid, scene.labels.supine, scene.chest_label, scene.unknown_label);
   if (prone.distance.values.empty() || supine.distance.values.empty())
     return {};
   std::size_t n_faces = 0;

@@ -1,18 +1,44 @@
 #include "prosup/registration/completed_labels.h"
 
+#include <algorithm>
+#include <optional>
+
 #include "prosup/image/body_labels.h"
 
 namespace prosup::registration {
 
+namespace {
+
+/// With another label where nothing is known.
+image::LabelImage with_unknown_as(std::uint8_t label, image::LabelImage labels,
+                                  unsigned unknown_label) {
+  if (unknown_label != 0)
+    std::replace(labels.values.begin(), labels.values.end(), std::uint8_t(unknown_label), label);
+  return labels;
+}
+
+/// image::take_off_hanging_parts() for the body; what is unknown is none of its parts.
+std::optional<image::HangingParts>
+take_off_hanging_parts(image::LabelImage& labels, unsigned chest_label, unsigned unknown_label) {
+  image::LabelImage body = with_unknown_as(0, labels, unknown_label);
+  const auto parts = image::take_off_hanging_parts(body, chest_label);
+  for (std::size_t v = 0; parts && v < body.values.size(); ++v)
+    if (labels.values[v] != unknown_label)
+      labels.values[v] = body.values[v];
+  return parts;
+}
+
+} // namespace
+
 image::LabelImage completed_labels(const image::LabelImage& given, Position position,
-                                   unsigned chest_label, const Log& log,
+                                   unsigned chest_label, unsigned unknown_label, const Log& log,
                                    std::vector<std::string>& remarks) {
   std::size_t n_filled = 0;
   image::LabelImage labels = image::with_inside_of_chest(given, chest_label, &n_filled);
   if (n_filled > 0)
     log.line(format("  %s: %.3g ml of air behind the chest label taken for chest",
                     name_of(position), 1e-3 * double(n_filled) * given.grid.voxel_volume()));
-  if (const auto parts = image::take_off_hanging_parts(labels, chest_label))
+  if (const auto parts = take_off_hanging_parts(labels, chest_label, unknown_label))
     remarks.push_back(format(
         "%.3g ml of the mask of the %s breast, around (%.0f, %.0f, %.0f) mm, hang on necks thinner "
         "than 6 mm; they were left out as noise or a fold beside the body, so look there, and "
@@ -20,7 +46,8 @@ image::LabelImage completed_labels(const image::LabelImage& given, Position posi
         "them 0, or more of the tissue between.",
         1e-3 * parts->volume, name_of(position), parts->centre[0], parts->centre[1],
         parts->centre[2]));
-  const std::vector<image::FlatEnd> ends = image::flat_ends(labels, chest_label);
+  const std::vector<image::FlatEnd> ends = image::flat_ends(
+      with_unknown_as(std::uint8_t(chest_label), labels, unknown_label), chest_label);
   for (const image::FlatEnd& end : ends) {
     dealii::Tensor<1, 3> outwards;
     for (unsigned c = 0; c < 3; ++c)

@@ -149,8 +149,8 @@ std::unique_ptr<ElementBreast>
 make_element_breast(const BreastModel& model, const BreastInput& input, MPI_Comm communicator) {
   const image::LabelImage& given = input.scene.labels[input.position];
   std::vector<std::string> remarks;
-  const image::LabelImage labels =
-      completed_labels(given, input.position, input.scene.chest_label, input.log, remarks);
+  const image::LabelImage labels = completed_labels(given, input.position, input.scene.chest_label,
+                                                    input.scene.unknown_label, input.log, remarks);
   const mesh::MeshSource& mesher = input.mesher == nullptr ? model.mesher : *input.mesher;
   const mechanics::Element element = model.elements.element();
   ElementBreast::Parts parts;

@@ -16,11 +16,12 @@ using settling::SettlingResult;
 
 namespace {
 
-/// The labels besides air and chest that a label image has.
-std::vector<unsigned> tissues_of(const image::LabelImage& labels, unsigned chest_label) {
+/// The labels besides air, chest and what is unknown that a label image has.
+std::vector<unsigned> tissues_of(const image::LabelImage& labels, const similarity::Scene& scene) {
   std::set<unsigned> found(labels.values.begin(), labels.values.end());
   found.erase(0);
-  found.erase(chest_label);
+  found.erase(scene.chest_label);
+  found.erase(scene.unknown_label);
   return {found.begin(), found.end()};
 }
 
@@ -65,7 +66,7 @@ GridBreast::GridBreast(const BreastModel& model, const BreastInput& input, MPI_C
 }
 
 fdm::Material GridBreast::material(const mechanics::TissueStiffness& stiffness) const {
-  const std::vector<unsigned> tissues = tissues_of(labels(), scene_.chest_label);
+  const std::vector<unsigned> tissues = tissues_of(labels(), scene_);
   model_.material.require_model("neo-hookean", "the finite-difference method");
   if (stiffness.skin_stiffness > 0.)
     throw Error("'Material/Skin stiffness' is larger than 0, but finite differences know no skin; "
@@ -80,7 +81,7 @@ fdm::Material GridBreast::material(const mechanics::TissueStiffness& stiffness) 
 }
 
 bool GridBreast::has_gland() const {
-  return model_.material.has_gland(tissues_of(labels(), scene_.chest_label));
+  return model_.material.has_gland(tissues_of(labels(), scene_));
 }
 
 void GridBreast::set_properties(const MechanicalProperties& properties) {
@@ -155,8 +156,7 @@ mesh::UnloadedMesh GridBreast::mesh() const {
   const VectorField displacement = unloading_->displacement();
   if (Utilities::MPI::this_mpi_process(communicator_) != 0)
     return {};
-  fdm::BreastMesh breast =
-      fdm::breast_mesh(displacement, labels(), tissues_of(labels(), scene_.chest_label));
+  fdm::BreastMesh breast = fdm::breast_mesh(displacement, labels(), tissues_of(labels(), scene_));
   mesh::UnloadedMesh result;
   result.mesh.points = std::move(breast.loaded);
   result.mesh.cells = std::move(breast.cells);

@@ -43,6 +43,18 @@ float air_intensity(const ScalarImage& image, const LabelImage& labels) {
   return image::median_intensity(image, labels, 0);
 }
 
+/// Adds what the image does not show to what is excluded from the similarity.
+void exclude_unknown(const LabelImage& labels, unsigned unknown, LabelImage& excluded) {
+  if (unknown == 0 ||
+      std::find(labels.values.begin(), labels.values.end(), unknown) == labels.values.end())
+    return;
+  if (excluded.values.empty())
+    excluded = LabelImage(labels.grid);
+  for (std::size_t v = 0; v < labels.values.size(); ++v)
+    if (labels.values[v] == unknown)
+      excluded.values[v] = 1;
+}
+
 } // namespace
 
 void Inputs::align_supine(const image::RigidTransform& to_prone) {
@@ -108,8 +120,10 @@ void InputReader::prepare(const CaseFiles& files, Position position, Inputs& inp
     labels = image::resample_isotropic(labels, edge);
   }
   inputs.scene.air[position] = air_intensity(scaled, labels);
+  LabelImage& excluded = inputs.scene.excluded[position];
+  excluded = read_excluded(files, position, original, remarks);
+  exclude_unknown(labels, labels_.unknown, excluded);
   inputs.scene.labels[position] = std::move(labels);
-  inputs.scene.excluded[position] = read_excluded(files, position, original, remarks);
 }
 
 void InputReader::convert_contrast(Inputs& inputs) const {
@@ -140,6 +154,7 @@ Inputs InputReader::read_pair(const CaseFiles& files, MPI_Comm communicator,
   Inputs inputs;
   inputs.scene.chest_label = labels_.chest;
   inputs.scene.gland_label = labels_.gland;
+  inputs.scene.unknown_label = labels_.unknown;
   on_root(communicator, [&] {
     for (const Position position : both_positions)
       prepare(files, position, inputs, remarks);

@@ -27,7 +27,8 @@ Maybe unexplained_labels(const BreastMeasures& breast, const char* name, const L
   const std::array<bool, 256> is_tissue = tissue_table(meaning);
   std::vector<std::string> numbers, amounts;
   for (unsigned label = 1; label < breast.counts.size(); ++label)
-    if (breast.counts[label] > 0 && label != meaning.chest && !is_tissue[label]) {
+    if (breast.counts[label] > 0 && label != meaning.chest && label != meaning.unknown &&
+        !is_tissue[label]) {
       numbers.push_back(std::to_string(label));
       amounts.push_back(format("label %u (%zu voxels, %.3g ml)", label, breast.counts[label],
                                breast.voxel_ml * double(breast.counts[label])));

@@ -89,8 +89,9 @@ SimilarityDomain similarity_domain(const VoxelGrid& grid, const Scene& scene, un
         for (std::size_t i = 0; i < grid.size[0]; ++i, ++v) {
           const Point<3> position =
               grid.physical(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k));
-          if (beyond(labels.grid, faces, position) ||
-              image::nearest_label(labels, position) == scene.chest_label)
+          const unsigned label = image::nearest_label(labels, position);
+          if (beyond(labels.grid, faces, position) || label == scene.chest_label ||
+              (label == scene.unknown_label && label != 0))
             domain.no_air[v] = true;
         }
   }

@@ -24,6 +24,7 @@ public:
   unsigned chest = 1;                  ///< chest wall and muscle
   std::vector<unsigned> tissues{2, 3}; ///< what the breast consists of
   unsigned gland = 3;                  ///< one of the tissues; 0 if the labels do not tell it
+  unsigned unknown = 255;              ///< what the image does not show; 0 if it is not marked
 };
 
 } // namespace prosup

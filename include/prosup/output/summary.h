@@ -52,7 +52,8 @@ struct PreparationSummary {
   double weak_edge = 0.;    ///< share of the chest wall under the breasts with little contrast
   double bridged_area = 0.; ///< of the wall, continued behind tissue that looks like muscle, cm^2
   double odd_area = 0.;     ///< of the wall, far from a smooth chest, cm^2
-  double separation = 0.;   ///< of fat and gland, in standard deviations
+  double unknown_contact = 0.;     ///< cm^2 on which tissue ends because the scan shows no more
+  double separation = 0.;          ///< of fat and gland, in standard deviations
   std::vector<std::string> doubts; ///< one sentence each
 };
 

@@ -13,6 +13,7 @@
 #include "prosup/prepare/breast_region.h"
 #include "prosup/prepare/chest_wall.h"
 #include "prosup/prepare/contrast.h"
+#include "prosup/prepare/unknown_region.h"
 
 namespace prosup::prepare {
 
@@ -33,6 +34,7 @@ struct PreparedScan {
   image::ScalarImage gland; ///< fraction of gland, 0 to 1
   Contrast contrast = Contrast::t1;
   double fat_volume = 0., gland_volume = 0.; ///< ml
+  double unknown_contact = 0.; ///< cm^2 on which tissue ends because the scan shows no more
   Confidence confidence;
 };
 
@@ -67,6 +69,9 @@ private:
                     PreparedScan& result) const;
   /// Labels of a body that is split at the chest wall.
   image::LabelImage labels_of(const image::LabelImage& parts, const image::LabelImage& gland) const;
+  /// Marks what the scan does not show in its parts, and gives it the intensity of air.
+  void mark_unknown(const UnknownRegion& region, double air, image::ScalarImage& scan,
+                    image::LabelImage& parts, const Log& log) const;
 
   std::string contrast_ = "automatic", bias_correction_ = "n4", side_ = "both";
   double skin_ = 2.5;   ///< mm

@@ -14,9 +14,10 @@ namespace prosup::registration {
 /// (image::with_inside_of_chest()), what hangs on a thin neck is air
 /// (image::take_off_hanging_parts()), and the image ends where the mask ends flat inside it
 /// (image::flat_ends()), so that there is a cut plane and no skin. Tells `log` of the first, and
-/// adds sentences to `remarks` for the others.
+/// adds sentences to `remarks` for the others. What is `unknown_label`, if that is not 0, stays,
+/// and tissue that ends there is no flat end: it is cut there already.
 image::LabelImage completed_labels(const image::LabelImage& given, Position position,
-                                   unsigned chest_label, const Log& log,
+                                   unsigned chest_label, unsigned unknown_label, const Log& log,
                                    std::vector<std::string>& remarks);
 
 } // namespace prosup::registration

@@ -33,6 +33,7 @@ struct Scene {
   PerPosition<float> air{0.f, 0.f};        ///< intensity of air in the scaled images
   unsigned chest_label = 1;
   unsigned gland_label = 3;
+  unsigned unknown_label = 0; ///< of what the image does not show; 0: it is not marked
 };
 
 /// What is the same for all evaluations on one grid.

@@ -30,6 +30,14 @@ TEST(Labels, NeedNoGland) {
   EXPECT_NO_THROW(read({"Labels/Tissues=7", "Labels/Gland=0"}));
 }
 
+// Many masks have 255 for tissue.
+TEST(Labels, OfTissueDoNotMarkWhatIsUnknown) {
+  const Labels labels;
+  dealii::ParameterHandler parameters;
+  read_parameters(parameters, {}, {"Labels/Tissues=255", "Labels/Gland=0"});
+  EXPECT_EQ(labels.unknown, 0u);
+}
+
 TEST(Labels, ThatMakeNoSenseAreErrors) {
   expect_error([] { read({"Labels/Chest=2"}); }, {"label 2", "Labels/Tissues"});
   expect_error([] { read({"Labels/Tissues=2, 3, 2"}); }, {"label 2", "once"});

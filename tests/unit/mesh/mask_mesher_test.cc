@@ -71,6 +71,24 @@ TEST(MaskMesher, NodesAreUsedAndBoundaryIsClosed) {
   EXPECT_NEAR(volume, measure_quality(mesh).volume_mm3, 1e-6 * volume);
 }
 
+// The ball goes on beyond x = 10 mm, where the image shows nothing.
+TEST(MaskMesher, TissueIsCutOffByWhatIsUnknown) {
+  constexpr double radius = 25., plane = 10.;
+  image::LabelImage labels = ball_labels(centred_cube(60), radius);
+  const Labels meaning;
+  const auto& size = labels.grid.size;
+  for (std::size_t k = 0; k < size[2]; ++k)
+    for (std::size_t j = 0; j < size[1]; ++j)
+      for (std::size_t i = 0; i < size[0]; ++i)
+        if (labels.grid.physical(double(i), double(j), double(k))[0] > plane)
+          labels(i, j, k) = std::uint8_t(meaning.unknown);
+  const TetMesh mesh = mesh_of(labels, 8.);
+  const double disc = M_PI * (radius * radius - plane * plane);
+  EXPECT_NEAR(area_of(mesh, BoundaryPart::cut_plane), disc, 0.15 * disc); // its rim is rounded
+  EXPECT_NEAR(area_of(mesh, BoundaryPart::skin), 2. * M_PI * radius * (radius + plane),
+              0.15 * 2. * M_PI * radius * (radius + plane));
+}
+
 TEST(MaskMesher, SameInputGivesSameMesh) {
   const auto labels = ball_labels(centred_cube(40), 16.);
   const TetMesh first = mesh_of(labels, 7.), second = mesh_of(labels, 7.);

@@ -189,6 +189,13 @@ TEST(SceneCheck, UnexplainedLabel) {
     return std::uint8_t(label == 2 && x[1] < -40. ? 7 : label);
   });
   expect_warning(spoilt, "label 7 (");
+  // What the image does not show is explained.
+  Case cropped;
+  cropped.prone = changed(hanging.labels(), [](std::uint8_t label, const Point<3>&) {
+    return std::uint8_t(label == 0 ? 255 : label);
+  });
+  for (const auto& finding : cropped.check().findings)
+    EXPECT_EQ(finding.text.find("255"), std::string::npos) << finding.text;
 }
 
 TEST(SceneCheck, OtherNumbering) {
