@@ -134,6 +134,12 @@ void measure(const std::string& scan, const std::string& labels,
           .c_str(),
       overlap(found, truth, region, 2).c_str(), overlap(found, truth, region, 3).c_str(),
       prepared.confidence.doubts.size());
+  const prepare::Confidence& confidence = prepared.confidence;
+  std::fprintf(stderr,
+               "%s: cut off %.2f of the largest section; solid part of radius %.1f mm, %.0f ml, "
+               "deviation %.2f; unknown beyond %.1f cm^2\n",
+               scan.c_str(), confidence.cut_share, confidence.solid.radius, confidence.solid.volume,
+               confidence.solid.deviation, prepared.unknown_contact);
   std::fflush(stdout);
   for (const std::string& doubt : prepared.confidence.doubts)
     std::fprintf(stderr, "%s: %s\n", scan.c_str(), doubt.c_str());

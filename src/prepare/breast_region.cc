@@ -1,6 +1,7 @@
 #include "prosup/prepare/breast_region.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "prosup/core/error.h"
 #include "prosup/core/log.h"
@@ -48,6 +49,24 @@ VoxelBox with_chest(const VoxelBox& tight, const VoxelGrid& grid, double margin)
   return box;
 }
 
+/// Sections of a breast with planes across an axis of the grid, in voxels.
+std::vector<std::size_t> sections(const LabelImage& front, const TrunkSurface& chest, Side side,
+                                  unsigned axis) {
+  const auto& size = front.grid.size;
+  std::vector<std::size_t> n(size[axis], 0);
+  for (std::size_t k = 0; k < size[2]; ++k)
+    for (std::size_t j = 0; j < size[1]; ++j)
+      for (std::size_t i = 0; i < size[0]; ++i) {
+        if (front(i, j, k) == 0)
+          continue;
+        const Point<3> p = front.grid.physical(double(i), double(j), double(k));
+        if (is_on_side(p, chest.grid.axis, side) && is_breast(p, chest) &&
+            std::abs(chest.grid.axis.angle(p)) < widest_breast)
+          ++n[axis == 0 ? i : k];
+      }
+  return n;
+}
+
 } // namespace
 
 const std::vector<std::string>& side_names() {
@@ -67,6 +86,39 @@ VoxelBox breast_box(const LabelImage& front, const TrunkSurface& chest, Side sid
                least_breast_thickness));
   return side == Side::both ? VoxelBox{{0, 0, 0}, front.grid.size}
                             : with_chest(box, front.grid, margin);
+}
+
+CutSection largest_cut(const LabelImage& front, const TrunkSurface& chest, Side side) {
+  static constexpr const char* ends[2][2] = {{"on the patient's right", "on the patient's left"},
+                                             {"below", "above"}};
+  CutSection cut;
+  for (const Side breast : {Side::left, Side::right}) {
+    if (side != Side::both && side != breast)
+      continue;
+    for (const unsigned axis : {0u, 2u}) {
+      const std::vector<std::size_t> n = sections(front, chest, breast, axis);
+      const std::size_t largest = *std::max_element(n.begin(), n.end());
+      const bool rises = front.grid.direction[axis][axis] > 0.;
+      for (const bool is_last : {false, true}) {
+        const std::size_t at_border = is_last ? n.back() : n.front();
+        const double share = double(at_border) / std::max(1., double(largest));
+        if (share > cut.share)
+          cut = {share,
+                 double(at_border) * front.grid.voxel_volume() / front.grid.spacing[axis] / 100.,
+                 side_names()[std::size_t(breast)].c_str(), ends[axis / 2][is_last == rises]};
+      }
+    }
+  }
+  return cut;
+}
+
+void require_whole_breast(const CutSection& cut) {
+  constexpr double largest_share = 0.7, largest_area = 10.; // cm^2
+  if (cut.share > largest_share && cut.area > largest_area)
+    throw Error(format("The %s breast is cut off by the border of the image %s, where its section "
+                       "of %.0f cm^2 is %.0f %% of its largest one; give a scan with the whole "
+                       "breast in its field of view.",
+                       cut.side, cut.where, cut.area, 100. * cut.share));
 }
 
 void require_whole_front(const LabelImage& front) {

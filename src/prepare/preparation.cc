@@ -124,18 +124,25 @@ PreparedScan Preparation::run(ScalarImage scan, const Log& log, const UserMasks&
   }
   const LabelImage front = image::select_labels(parts, {in_front_of_wall});
   require_whole_front(front);
+  const Side side = enumerator<Side>(side_, side_names());
+  const CutSection cut = largest_cut(front, wall.surface, side);
+  require_whole_breast(cut);
   log.progress("  fat and gland");
   const TissueImage inner{scan, inner_breast(parts, axis, skin_), is_ct, wall.fat.is_bright};
   const Tissues tissues =
       masks.gland ? tissues_of_mask(inner, parts, *masks.gland) : find_tissues(inner);
-  const image::VoxelBox box =
-      breast_box(front, wall.surface, enumerator<Side>(side_, side_names()), margin_);
+  const SolidPart solid = largest_solid_part(inner, tissues);
+  if (!masks.gland)
+    require_no_implant(solid);
+  const image::VoxelBox box = breast_box(front, wall.surface, side, margin_);
   result.labels = image::part_of(labels_of(parts, tissues.gland), box);
   result.image = image::part_of(scan, box);
   result.gland = image::part_of(tissues.fraction, box);
   result.fat_volume = volume(result.labels, labels_.fat());
   result.gland_volume = volume(result.labels, labels_.gland);
   result.confidence = judge(wall, tissues);
+  result.confidence.cut_share = cut.share;
+  result.confidence.solid = solid;
   return result;
 }
 

@@ -29,6 +29,23 @@ image::VoxelBox breast_box(const image::LabelImage& front, const TrunkSurface& c
 /// 4 cm^2 of tissue.
 void require_whole_front(const image::LabelImage& front);
 
+/// How much of a breast the image may cut off: the border of the image at a side, above or below
+/// shows a section of it; this is the largest, over the largest of all sections parallel to it.
+struct CutSection {
+  double share = 0.;
+  double area = 0.; ///< cm^2
+  const char* side = "";
+  const char* where = "";
+};
+
+/// Of the breasts that are wanted, within `widest_breast` of the front. `front` and `chest` as in
+/// breast_box().
+CutSection largest_cut(const image::LabelImage& front, const TrunkSurface& chest, Side side);
+
+/// @throws Error if the section is larger than 0.7 of the largest and 10 cm^2: then a sizeable part
+/// of the breast and its skin lies beyond.
+void require_whole_breast(const CutSection& cut);
+
 } // namespace prosup::prepare
 
 #endif

@@ -13,6 +13,7 @@
 #include "prosup/prepare/breast_region.h"
 #include "prosup/prepare/chest_wall.h"
 #include "prosup/prepare/contrast.h"
+#include "prosup/prepare/implant.h"
 #include "prosup/prepare/unknown_region.h"
 
 namespace prosup::prepare {
@@ -23,7 +24,9 @@ struct Confidence {
   /// Of the chest wall, cm^2: where it was continued behind tissue that looks like muscle, and
   /// where it is far from a smooth chest.
   double bridged_area = 0., odd_area = 0.;
-  double separation = 0.;          ///< of fat and gland, in standard deviations
+  double separation = 0.; ///< of fat and gland, in standard deviations
+  double cut_share = 0.;  ///< of the section of a breast, at the border of the image
+  SolidPart solid;
   std::vector<std::string> doubts; ///< one sentence each
 };
 

@@ -1,10 +1,13 @@
-// What a scan does not show.
+// What a scan does not show, and what cannot be registered.
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
+#include "expect_error.h"
 #include "preparation_of.h"
+#include "prosup/image/voxel_box.h"
 #include "synthetic_chest.h"
 
 namespace prosup::tests {
@@ -67,6 +70,50 @@ TEST(UnknownRegion, IsNotAirWithoutNoise) {
   contrast.noise = 0.;
   const prepare::PreparedScan prepared = PreparationOf({}).run(SyntheticChest(contrast).image);
   EXPECT_EQ(prepared.unknown_contact, 0.);
+}
+
+/// The left breast with a uniform ellipsoid of 99 ml.
+ScalarImage with_implant(const SyntheticChest& chest, float value) {
+  ScalarImage scan = chest.image;
+  for_voxels(scan.grid, [&](std::size_t v, const image::Point<3>& p) {
+    if (std::pow((p[0] - 60.) / 34., 2) + std::pow((p[1] - 10.) / 24., 2) +
+            std::pow(p[2] / 29., 2) <
+        1.)
+      scan.values[v] = value + 0.25f * (chest.image.values[v] > 100.f); // not quite constant
+  });
+  return scan;
+}
+
+TEST(Implant, IsRefused) {
+  const auto expect_refused = [](const ScalarImage& scan) {
+    expect_error([&] { PreparationOf({}).run(scan); }, {"implant", "x = ", "ml"});
+  };
+  expect_refused(with_implant(SyntheticChest(), 15.f));              // T1
+  expect_refused(with_implant(SyntheticChest(), 320.f));             // T2
+  expect_refused(with_implant(SyntheticChest(hounsfield()), 120.f)); // CT
+}
+
+ScalarImage part(const ScalarImage& scan, std::array<std::size_t, 3> begin,
+                 std::array<std::size_t, 3> end) {
+  return image::part_of(scan, {begin, end});
+}
+
+// At the side, below and above; the planes are 60 mm from the middle, and the middle.
+TEST(CutOffBreast, IsRefused) {
+  const ScalarImage scan = SyntheticChest().image;
+  const PreparationOf preparation({});
+  expect_error(
+      [&] {
+        preparation.run(part(scan, {0, 0, 0}, {73, 61, 28}));
+      },
+      {"left breast", "cut off", "on the patient's left"});
+  expect_error(
+      [&] {
+        preparation.run(part(scan, {0, 0, 14}, {98, 61, 28}));
+      },
+      {"cut off", "below", "cm^2"});
+  expect_error([&] { preparation.run(part(scan, {0, 0, 0}, {98, 61, 14})); }, {"cut off", "above"});
+  EXPECT_LT(preparation.run(scan).confidence.cut_share, 0.1);
 }
 
 } // namespace
