@@ -44,6 +44,8 @@ TEST(Labels, ThatMakeNoSenseAreErrors) {
   expect_error([] { read({"Labels/Chest=0"}); }, {"Labels/Chest", "0 is air"});
   expect_error([] { read({"Labels/Tissues=0, 3"}); }, {"Labels/Tissues", "0 is air"});
   expect_error([] { read({"Labels/Gland=4"}); }, {"Labels/Gland", "4"});
+  expect_error([] { read({"Labels/Unknown=2"}); }, {"label 2", "Labels/Unknown"});
+  EXPECT_NO_THROW(read({"Labels/Unknown=0"}));
   Labels labels;
   labels.tissues = {labels.gland};
   expect_error([&] { labels.fat(); }, {"Labels/Tissues", "fat"});
