@@ -14,8 +14,10 @@ namespace prosup {
 /// and that nobody has changed since may be replaced or removed.
 class ResultMarker {
 public:
+  /// Of the marker, in the folder.
   static constexpr const char* file_name = ".prosup-result.json";
 
+  /// A file that was written.
   struct Entry {
     std::string name; ///< relative to the folder, with '/' between folders
     FileDigest digest;
@@ -26,7 +28,9 @@ public:
   bool complete = true;
   std::vector<Entry> files;
 
+  /// The names of all files.
   std::vector<std::string> names() const;
+  /// Whether there is a file of that name.
   bool lists(const std::string& name) const;
   /// Whether the file of that name in `folder` is one that is listed and has not changed.
   bool owns(const std::filesystem::path& folder, const std::string& name) const;

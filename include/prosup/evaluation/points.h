@@ -24,6 +24,7 @@ struct MapFigures {
   std::optional<double> nipple_before{}, nipple_after{}; ///< distance from the nipple there, mm
 };
 
+/// A point of a list, and what is known of it.
 struct NamedPoint {
   std::string id;
   Point<3> position; ///< LPS, mm

@@ -52,8 +52,8 @@ ErrorStatistics inverse_consistency(const std::vector<Point<3>>& points, const P
 
 /// One row of the table of target registration errors.
 struct ErrorRow {
-  std::string step;
-  ErrorStatistics error;
+  std::string step;      ///< of step_name
+  ErrorStatistics error; ///< mm
 };
 
 /// Names of the steps of a registration, as in Table 2 of Eiben et al. (2016).

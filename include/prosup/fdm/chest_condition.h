@@ -10,6 +10,7 @@ enum class ChestContact {
   one_sided ///< along its surface and away from it
 };
 
+/// What the chest does to the tissue on it.
 struct ChestCondition {
   ChestContact contact = ChestContact::fixed;
   double spring_stiffness = 0.; ///< of springs that resist sliding, Pa/mm

@@ -18,13 +18,15 @@ using dealii::Tensor;
 /// voxel i is  origin + direction * diag(spacing) * i,  and the columns of `direction` are the
 /// unit vectors of the grid axes. The first index runs fastest in memory.
 struct VoxelGrid {
-  std::array<std::size_t, 3> size{0, 0, 0};
-  Point<3> origin;
-  Tensor<1, 3> spacing{{1., 1., 1.}};
-  Tensor<2, 3> direction{{{1., 0., 0.}, {0., 1., 0.}, {0., 0., 1.}}};
+  std::array<std::size_t, 3> size{0, 0, 0}; ///< voxels along each axis of the grid
+  Point<3> origin;                          ///< centre of the first voxel, mm
+  Tensor<1, 3> spacing{{1., 1., 1.}};       ///< mm
+  Tensor<2, 3> direction{{{1., 0., 0.}, {0., 1., 0.}, {0., 0., 1.}}}; ///< columns: the axes
 
+  /// Number of voxels.
   std::size_t n_voxels() const { return size[0] * size[1] * size[2]; }
 
+  /// Where a voxel is in memory.
   std::size_t linear_index(std::size_t i, std::size_t j, std::size_t k) const {
     return i + size[0] * (j + size[1] * k);
   }
@@ -38,6 +40,7 @@ struct VoxelGrid {
   /// Whether the size is the same and all voxel centres agree to `tolerance` voxels.
   bool coincides_with(const VoxelGrid& other, double tolerance = 1e-3) const;
 
+  /// mm^3.
   double voxel_volume() const { return spacing[0] * spacing[1] * spacing[2]; }
 };
 

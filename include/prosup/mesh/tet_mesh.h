@@ -20,6 +20,7 @@ constexpr dealii::types::boundary_id boundary_id_of(BoundaryPart part) {
   return static_cast<dealii::types::boundary_id>(part);
 }
 
+/// A face of a cell that no other cell has.
 struct BoundaryFace {
   std::array<unsigned, 3> nodes; ///< ordered so that the normal points outwards
   BoundaryPart part;

@@ -30,8 +30,9 @@ std::function<bool(const dealii::Point<3>&)>
 voxels_with(const image::LabelImage& labels, unsigned label,
             const image::RigidTransform& to_labels = {});
 
+/// A displacement field and where it is that of the breast.
 struct StateField {
-  image::VectorImage displacement;
+  image::VectorImage displacement; ///< mm, LPS
   /// 1 where it is that of the tissue: in the mesh, and where the tissue goes through another mesh,
   /// in that or at most evaluation::far_outside from it; 0 elsewhere.
   image::LabelImage valid;

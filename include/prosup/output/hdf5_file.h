@@ -54,9 +54,11 @@ public:
   Hdf5Reader(const Hdf5Reader&) = delete;
   Hdf5Reader& operator=(const Hdf5Reader&) = delete;
 
+  /// The rows of a data set, one after the other.
   std::vector<double> doubles(const std::string& name) const;
   std::vector<float> floats(const std::string& name) const;
   std::vector<unsigned> integers(const std::string& name) const;
+  /// An attribute.
   double number(const std::string& name) const;
   std::string text(const std::string& name) const;
   /// The data sets of a group, or the attributes; sorted. None if there is no such group.

@@ -85,14 +85,16 @@ struct Summary {
   std::optional<PerPosition<double>> cut_plane_stiffness; ///< Pa/mm
   std::optional<std::array<double, 2>> supine_tilt; ///< of gravity to the left and head, degrees
 
-  struct Errors { ///< mm; absent without landmarks
+  /// Target registration errors after each stage, mm; absent without landmarks.
+  struct Errors {
     std::optional<evaluation::ErrorStatistics> initial, unloaded, material, image_forces;
   } tre;
 
   /// Distance after mapping the nodes of the prone mesh to supine and back, mm.
   std::optional<evaluation::ErrorStatistics> inverse_consistency;
 
-  struct Times { ///< s
+  /// Wall times of the stages, s; absent where a stage did not run.
+  struct Times {
     std::optional<double> mesh, unloading, material, image_forces;
     double total = 0.;
   } time;

@@ -24,10 +24,14 @@ struct Geometry {
   /// @throws Error if the chest is not wider than the tissue on it.
   void check() const;
 
+  /// y of the chest, mm.
   double chest_y(double x) const;
+  /// Of the tissue along y, mm.
   double thickness(double x, double z) const;
+  /// y of the skin, mm.
   double skin_y(double x, double z) const { return chest_y(x) - thickness(x, z); }
 
+  /// Whether a point lies between chest and skin and within width and length.
   bool in_tissue(const Point<3>& X) const;
   /// Distance from the skin of a point near it, mm, to first order; positive in the tissue.
   double depth(const Point<3>& X) const;

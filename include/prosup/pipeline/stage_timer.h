@@ -15,6 +15,7 @@ namespace prosup::pipeline {
 /// Wall times of the stages of a run. A stage ends when its slowest rank is done.
 class StageTimer {
 public:
+  /// Starts the time. Keeps a reference to the log.
   StageTimer(MPI_Comm communicator, const Log& log);
 
   /// Prints the name of a stage and runs it. Collective.
@@ -24,7 +25,7 @@ public:
   void set_aside(const std::function<void()>& work);
 
   double seconds(const std::string& name) const; ///< 0 for a stage that did not run
-  double total() const;
+  double total() const;                          ///< since the start but for what was set aside, s
 
   /// The table of all stages.
   std::string table() const;

@@ -32,6 +32,7 @@ public:
   bool consists_of_elements() const;
   /// Whether either breast has gland.
   bool has_gland() const;
+  /// Those that both breasts have now.
   const MechanicalProperties& properties() const { return properties_; }
   /// Gives both breasts the same tissue and the same bed.
   void set_properties(const MechanicalProperties& properties);
@@ -40,6 +41,7 @@ public:
   PerPosition<settling::SettlingResult> unload(unsigned max_steps = 0);
   PerPosition<settling::SettlingResult> advance(double duration);
 
+  /// Breast::save() and Breast::restore() of both.
   void save();
   void restore();
 

@@ -12,6 +12,7 @@
 
 namespace prosup::registration {
 
+/// What the image forces took, and how they ended.
 struct ImageForceResult {
   unsigned n_steps = 0;   ///< time steps of both breasts
   unsigned n_updates = 0; ///< accepted ones

@@ -11,6 +11,7 @@
 
 namespace prosup::registration {
 
+/// What finding the properties took, and how it ended.
 struct MaterialUpdateResult {
   unsigned n_steps = 0;              ///< time steps of all trials
   unsigned n_trials = 0;             ///< pairs of unloadings

@@ -65,6 +65,7 @@ public:
   /// Reads images and labels. What is doubtful goes to `remarks` of rank 0, or else to the log.
   /// @throws Error for input that cannot be used.
   void read(const CaseFiles& files, Remarks& remarks);
+  /// The same, with remarks to the log.
   void read(const CaseFiles& files);
   /// Removes gravity from both breasts, with the properties that the parameters give.
   /// @throws Error if a breast cannot be meshed, DivergenceError if one does not settle.
@@ -106,10 +107,13 @@ public:
   /// Meshes both breasts, or what else the numerical method starts with.
   void build();
 
+  /// Which ranks work on which breast.
   const RankSplit& ranks() const { return ranks_; }
+  /// What read() has read, as align() has moved it.
   const Inputs& inputs() const { return inputs_; }
   /// What align() found, on rank 0.
   const std::optional<Alignment>& alignment() const { return alignment_; }
+  /// Those that the breasts have now.
   const MechanicalProperties& properties() const { return pair_->properties(); }
 
 private:

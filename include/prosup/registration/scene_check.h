@@ -13,6 +13,7 @@ namespace prosup::registration {
 
 /// A fault of the input that was found without any simulation.
 struct Finding {
+  /// What it means for a result.
   enum class Severity {
     warning, ///< the result is in doubt
     error    ///< no result can be right
@@ -26,7 +27,9 @@ struct SceneReport {
   std::vector<Finding> findings;
   std::string measures; ///< a table for the reader, of a few lines
 
+  /// Number of findings with which no result can be right.
   std::size_t n_errors() const;
+  /// Adds all findings to `remarks`.
   void tell(Remarks& remarks) const;
 };
 

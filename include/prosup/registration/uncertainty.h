@@ -29,6 +29,7 @@ public:
 
   bool wanted = true;
 
+  /// Of the nodes of each breast, mm^2.
   using Covariances = PerPosition<std::vector<dealii::SymmetricTensor<2, 3>>>;
 
   /// The covariances of the nodes of both meshes, mm^2, on rank 0 of the pair, where the image

@@ -14,6 +14,7 @@ enum class Grade { good, doubtful, failed };
 /// "good", "doubtful" or "failed".
 const char* name_of(Grade grade);
 
+/// A grade and the reasons for it.
 struct Verdict {
   Grade grade = Grade::good;
   /// One sentence each, worst first: the number, what is usual, and what to do.

@@ -65,8 +65,10 @@ public:
   virtual double largest_displacement() const = 0;
   /// Whether the unloaded configuration is given, so that it is never corrected.
   virtual bool holds_reference() const = 0;
+  /// Whether there is a load that could be reduced.
   virtual bool has_gravity() const = 0;
 
+  /// The state, and back to it.
   virtual Snapshot take_snapshot() const = 0;
   virtual void restore(const Snapshot& snapshot) = 0;
   /// Sets all velocities to zero.
@@ -77,6 +79,7 @@ public:
   /// Changes what causes the trouble, if the simulation can tell. Called before it
   /// goes back to a good state.
   virtual Remedy mend(Trouble trouble) = 0;
+  /// Damps higher modes better from now on, even if the body settles more slowly.
   virtual void strengthen_damping() = 0;
 
   /// "cell 7 near (1.0, 2.0, 3.0) mm with J = 0.01": where the last block went

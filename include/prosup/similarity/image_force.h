@@ -29,6 +29,7 @@ class ImageForce {
 public:
   ImageForce(std::shared_ptr<const Metric> metric, MPI_Comm communicator);
 
+  /// The value, the forces on the nodes by `variable`, and the stiffness of the images if wanted.
   SimilarityResult evaluate(const SimilarityDomain& domain, const PerPosition<ImagedBody>& bodies,
                             Variable variable = Variable::displacement,
                             bool with_stiffness = false) const;

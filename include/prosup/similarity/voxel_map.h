@@ -18,6 +18,7 @@ namespace prosup::similarity {
 /// every voxel belongs to one rank only, whatever the partition.
 class VoxelMap {
 public:
+  /// A voxel in the mesh or in one of the layers around it.
   struct Voxel {
     std::uint32_t index;          ///< linear index in the grid
     std::uint32_t cell;           ///< in Body::cells()

@@ -18,6 +18,7 @@ namespace prosup::mechanics {
 /// the first call ensure this. Products with K are differences of internal forces.
 class HighestFrequency {
 public:
+  /// Bounds of the largest eigenvalue, and what they took.
   struct Estimate {
     double ritz_value = 0.;  ///< theta, 1/s^2
     double upper_bound = 0.; ///< theta + r, 1/s^2

@@ -47,6 +47,7 @@ template <typename T>
 struct LaneOf {
   using Type = decltype(+T()[0]);
 };
+/// A number is its own lane.
 template <>
 struct LaneOf<double> {
   using Type = double;

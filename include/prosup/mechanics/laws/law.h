@@ -10,8 +10,10 @@
 
 namespace prosup::mechanics {
 
+/// `Container` of all types of a LawList.
 template <template <typename...> class Container, typename List>
 struct OfLaws;
+/// @copydoc OfLaws
 template <template <typename...> class Container, typename... L>
 struct OfLaws<Container, LawList<L...>> {
   using Type = Container<L...>;
