@@ -9,6 +9,8 @@
 #include <cstdlib>
 
 #include "prosup/core/log_file.h"
+#include "prosup/core/log_level.h"
+#include "prosup/core/remaining_time.h"
 
 namespace prosup {
 
@@ -44,7 +46,7 @@ void Log::line(const std::string& text) const {
   if (!speaks_)
     return;
   LogFile::add(text);
-  if (shows_warnings_only())
+  if (log_level() < LogLevel::info)
     return;
   std::printf("%s%s\n", on_terminal_ ? erase_line : "", text.c_str());
   std::fflush(stdout);
@@ -54,6 +56,8 @@ void Log::warning(const std::string& sentence) const {
   if (!speaks_)
     return;
   LogFile::add("Warning: " + sentence);
+  if (log_level() < LogLevel::warning)
+    return;
   std::fprintf(stderr, "%sWarning: %s\n", on_terminal_ ? erase_line : "", sentence.c_str());
 }
 
@@ -62,10 +66,12 @@ void Log::progress(const std::string& text) const {
   constexpr std::chrono::milliseconds shortest_interval(200);
   static std::chrono::steady_clock::time_point last;
   const auto now = std::chrono::steady_clock::now();
-  if (!on_terminal_ || shows_warnings_only() || now - last < shortest_interval)
+  if (speaks_ && log_level() == LogLevel::debug)
+    return line(text);
+  if (!on_terminal_ || log_level() < LogLevel::info || now - last < shortest_interval)
     return;
   last = now;
-  std::printf("%s%s", erase_line, text.c_str());
+  std::printf("%s%s%s", erase_line, text.c_str(), RemainingTime::in_words().c_str());
   std::fflush(stdout);
 }
 

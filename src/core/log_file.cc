@@ -13,10 +13,7 @@ namespace prosup {
 
 namespace {
 
-// Logs are copied to all parts of a run, and those of other ranks come from elsewhere; what they
-// share is the process, as they do its terminal.
-LogFile* open_file = nullptr;
-bool is_quiet = false;
+LogFile* open_file = nullptr; // of all Logs of the process
 
 std::string now() {
   const std::time_t seconds = std::time(nullptr);
@@ -63,14 +60,6 @@ void LogFile::write(const std::string& text) {
     lines += now() + (line.empty() ? "" : "  ") + line + "\n";
   if (::write(descriptor_, lines.data(), lines.size()) != static_cast<ssize_t>(lines.size()))
     is_complete_ = false;
-}
-
-void show_warnings_only() {
-  is_quiet = true;
-}
-
-bool shows_warnings_only() {
-  return is_quiet;
 }
 
 } // namespace prosup

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "prosup/core/file_system.h"
+#include "prosup/core/log_level.h"
 #include "prosup/core/text.h"
 #include "prosup/prepare/breast_region.h"
 #include "prosup/prepare/contrast.h"
@@ -79,8 +80,20 @@ void add_output_option(CLI::App& command, ParameterOptions& options) {
   command.add_option("--output", options.output, "Folder for the results")->capture_default_str();
   command.add_flag("--overwrite", options.overwrite,
                    "Replace also files that prosup did not write or that changed since");
-  command.add_flag("--quiet", options.quiet,
-                   "Show warnings and errors only; log.txt in the results holds all");
+  options.log_level = "info";
+  CLI::Option* const level =
+      command
+          .add_option("--log-level", options.log_level,
+                      "What is shown: " + joined(log_level_names()) +
+                          ". Each shows more than the one before; log.txt in the results holds "
+                          "all of info at least")
+          ->check(CLI::IsMember(log_level_names()))
+          ->capture_default_str();
+  command
+      .add_flag_callback(
+          "--quiet", [&options] { options.log_level = "warning"; },
+          "The same as --log-level warning")
+      ->excludes(level);
 }
 
 void add_parameter_options(CLI::App& command, const OptionNames& names,

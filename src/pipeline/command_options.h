@@ -21,7 +21,7 @@ struct ParameterOptions {
   std::filesystem::path output = "results";
   bool overwrite = false;          ///< files that prosup did not write
   std::filesystem::path write_prm; ///< empty: run the command
-  bool quiet = false;              ///< warnings and errors only
+  std::string log_level;           ///< of log_level_names()
   bool restart = false;            ///< go on from a checkpoint
   std::vector<Override> overrides; ///< of --set
   std::vector<Override> named;     ///< of options such as --chest; --set comes after them
@@ -33,7 +33,7 @@ using OptionNames = std::vector<std::string>;
 /// All of them.
 OptionNames all_parameter_options();
 
-/// Adds the options --output, --overwrite and --quiet to a command.
+/// Adds the options --output, --overwrite, --log-level and --quiet to a command.
 void add_output_option(CLI::App& command, ParameterOptions& options);
 
 /// Adds FILE, --set, --write-prm and the options in `names` to a command. The values go to

@@ -5,7 +5,7 @@
 
 #include "prosup/core/collective.h"
 #include "prosup/core/file_system.h"
-#include "prosup/core/log_file.h"
+#include "prosup/core/log_level.h"
 #include "prosup/core/output_file.h"
 #include "prosup/core/parameters.h"
 #include "prosup/core/text.h"
@@ -48,8 +48,8 @@ bool prepare(const ParameterOptions& options, AllParameters& parameters,
 /// `run` is a command of commands.h with a parameter file.
 template <typename Run>
 Outcome run_with_parameters(Run run, const ParameterOptions& options, MPI_Comm world) {
-  if (options.quiet)
-    show_warnings_only();
+  if (!options.log_level.empty())
+    set_log_level(enumerator<LogLevel>(options.log_level, log_level_names()));
   AllParameters parameters;
   parameters.checkpoint.restart = options.restart;
   dealii::ParameterHandler handler;

@@ -6,6 +6,7 @@
 #include "image_energy.h"
 #include "prosup/registration/element_breast.h"
 #include "prosup/registration/image_force_registration.h"
+#include "stage_forecast.h"
 
 namespace prosup::registration {
 
@@ -133,7 +134,12 @@ private:
 void ImageForceRegistration::descend(BreastPair& pair, const ComparedImages& images, const Log& log,
                                      const Observer& observer, ImageForceProgress& progress,
                                      const Keeper& keep) const {
-  Descent descent(*this, pair, log, observer, progress, keep);
+  std::vector<double> costs;
+  for (const double level : levels_)
+    costs.push_back(1. / (level * level)); // between that of the nodes and that of the voxels
+  StageForecast forecast(levels_, {costs, least_gain_}, observer);
+  const Observer told = forecast.observer();
+  Descent descent(*this, pair, log, told, progress, keep);
   while (progress.level < levels_.size()) {
     descent.run(images);
     ++progress.level;

@@ -1,9 +1,11 @@
 #include "prosup/registration/material_update.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "property_search.h"
 #include "prosup/core/parameters.h"
+#include "stage_forecast.h"
 
 namespace prosup::registration {
 
@@ -13,6 +15,9 @@ namespace {
 
 const std::vector<std::string> method_names{"search", "stepwise", "none"};
 const std::vector<std::string> compared_names{"automatic", "images", "tissues"};
+
+// Of a step, over that on the level before: most of it is unloading, whatever the voxels.
+constexpr double cost_of_finer_level = 1.25;
 
 /// Multiplies by `factor` while the similarity improves.
 void walk(PropertyTrials& trials, double factor, const MaterialProgress& progress,
@@ -103,14 +108,14 @@ void MaterialUpdate::run(BreastPair& pair, const ComparedImages& images, const L
     return;
   const bool by_images =
       compared_ == "images" || (compared_ == "automatic" && images.metric->needs_same_contrast());
-  const auto trials_on = [&](double level) {
+  const auto trials_on = [&](double level, const Observer& told) {
     return PropertyTrials(pair,
                           Comparison(pair, images, by_images ? Compared::images : Compared::tissues,
                                      level, progress.grid),
-                          correlation_length_, log, observer, progress);
+                          correlation_length_, log, told, progress);
   };
   if (method_ == "stepwise") {
-    PropertyTrials trials = trials_on(levels_.back());
+    PropertyTrials trials = trials_on(levels_.back(), observer);
     if (!progress.walks_back)
       walk(trials, factor_, progress, max_steps_, keep);
     progress.walks_back = progress.walks_back || progress.n_accepted == 0;
@@ -118,9 +123,14 @@ void MaterialUpdate::run(BreastPair& pair, const ComparedImages& images, const L
       walk(trials, 1. / factor_, progress, max_steps_, keep);
     return;
   }
+  std::vector<double> costs;
+  for (std::size_t level = 0; level < levels_.size(); ++level)
+    costs.push_back(std::pow(cost_of_finer_level, level));
+  StageForecast forecast(levels_, {costs, least_gain_}, observer);
+  const Observer told = forecast.observer();
   while (progress.level < levels_.size()) {
     const double level = levels_[progress.level];
-    PropertyTrials trials = trials_on(level);
+    PropertyTrials trials = trials_on(level, told);
     search_properties(properties_, trials, progress, max_steps_, least_gain_,
                       level == levels_.back(), keep);
     ++progress.level;

@@ -6,6 +6,9 @@
 #include <numeric>
 #include <utility>
 
+#include "decay_forecast.h"
+#include "prosup/core/remaining_time.h"
+
 namespace prosup::settling {
 
 namespace {
@@ -52,6 +55,8 @@ void Settling::begin() {
 
 SettlingResult Settling::simulate(unsigned max_steps, bool until_settled) {
   SettlingResult result;
+  RemainingTime remaining;
+  DecayForecast forecast;
   begin();
   unsigned n_corrections = 0;
   while (result.n_steps < max_steps) {
@@ -62,9 +67,15 @@ SettlingResult Settling::simulate(unsigned max_steps, bool until_settled) {
     result.n_steps += n;
     if (const std::string what = trouble_in(report); !what.empty()) {
       retreat(what, Trouble::divergence, result);
+      forecast.restart();
+      remaining.expect({});
       continue;
     }
     const double error = judge(report, result);
+    if (until_settled && is_fully_loaded_) {
+      forecast.add(error / caution_.tolerance, remaining.elapsed());
+      remaining.expect(forecast.seconds_left());
+    }
     if ((result.converged && until_settled) ||
         (observer_ && !is_searching_ && !observer_(result.n_steps)))
       break;
@@ -73,6 +84,8 @@ SettlingResult Settling::simulate(unsigned max_steps, bool until_settled) {
                                  result.n_steps)) {
       if (!recover_from_stall(error, result))
         break;
+      forecast.restart();
+      remaining.expect({});
       continue;
     }
     // Only the best state under the full load is kept: others may be about to diverge.

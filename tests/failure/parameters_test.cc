@@ -27,6 +27,12 @@ TEST_F(Parameters, ValueOutOfRangeInTheFile) {
   expect_refused({"register", file, "--output", output()}, {file, "0.7", "Poisson ratio"});
 }
 
+TEST_F(Parameters, LogLevelThatDoesNotExistOrIsGivenTwice) {
+  expect_refused(registering({"--log-level", "loud"}),
+                 {"--log-level", "loud", "error", "warning", "info", "debug"});
+  expect_refused(registering({"--log-level", "debug", "--quiet"}), {"--log-level", "--quiet"});
+}
+
 TEST_F(Parameters, UnknownEntryOrSectionOfSet) {
   expect_refused(registering({"--set", "Unloading/Lagg=1"}), {"Unloading/Lagg=1", "--write-prm"});
   expect_refused(registering({"--set", "Unlading/Lag=1"}), {"Unlading/Lag=1", "section"});

@@ -52,6 +52,28 @@ TEST(Unload, NeedsOnlyTheLabels) {
   EXPECT_FALSE(std::filesystem::exists(output / "supine_unloaded.nii.gz"));
 }
 
+TEST(Unload, ShowsWhatTheLogLevelAllows) {
+  const TemporaryFolder folder;
+  const std::string step = "  prone: step 10, residual ";
+  const auto run_at = [&](const std::vector<std::string>& level) {
+    std::vector<std::string> arguments{"unload", small, "--output", folder / "unload"};
+    arguments.insert(arguments.end(), level.begin(), level.end());
+    const ProgramRun run = run_prosup(arguments);
+    EXPECT_EQ(run.exit_code, 0) << run.transcript();
+    EXPECT_NE(contents(folder / "unload/log.txt").find("  Unloading\n"), std::string::npos);
+    return run;
+  };
+  const ProgramRun usual = run_at({});
+  EXPECT_NE(usual.out.find("\nUnloading\n"), std::string::npos) << usual.out;
+  EXPECT_EQ(usual.out.find(step), std::string::npos) << usual.out;
+  for (const char* what : {"error", "warning"})
+    EXPECT_EQ(run_at({"--log-level", what}).out, "");
+  EXPECT_EQ(run_at({"--quiet"}).out, "");
+  const ProgramRun all = run_at({"--log-level", "debug"});
+  EXPECT_NE(all.out.find("\n" + step), std::string::npos) << all.out;
+  EXPECT_NE(contents(folder / "unload/log.txt").find(step), std::string::npos);
+}
+
 TEST(Unload, IsTheSameOnTwoRanks) {
   const TemporaryFolder folder;
   std::vector<mesh::UnloadedMesh> meshes;

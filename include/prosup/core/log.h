@@ -8,8 +8,8 @@
 namespace prosup {
 
 /// Progress messages: one permanent line per stage, and a live line that is overwritten in place on
-/// a terminal and not printed elsewhere. Only rank 0 of the communicator prints. A
-/// default-constructed Log prints nothing; it is the default for host programs.
+/// a terminal and not printed elsewhere. Only rank 0 of the communicator prints, what the LogLevel
+/// allows. A default-constructed Log prints nothing; it is the default for host programs.
 class Log {
 public:
   Log() = default;
@@ -24,7 +24,7 @@ public:
   /// Prints "Warning: ", `sentence` and a newline to standard error.
   void warning(const std::string& sentence) const;
 
-  /// Replaces the live line by `text`.
+  /// Replaces the live line by `text`, and by how long it may still take (RemainingTime).
   void progress(const std::string& text) const;
 
 private:

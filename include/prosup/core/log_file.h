@@ -30,10 +30,6 @@ private:
   bool is_complete_ = true;
 };
 
-/// All Logs of this process show warnings only; a LogFile gets all.
-void show_warnings_only();
-bool shows_warnings_only();
-
 } // namespace prosup
 
 #endif
