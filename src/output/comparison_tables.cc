@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "comparison_pictures.h"
+#include "prosup/core/csv_cell.h"
 #include "prosup/core/error.h"
 #include "prosup/core/log.h"
 #include "prosup/core/text_file.h"
@@ -59,25 +60,19 @@ bool any(const std::vector<Row>& rows, const Column& column) {
   return false;
 }
 
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text)
-    result += c == '"' ? "\"\"" : std::string(1, c);
-  return result + "\"";
-}
-
 std::string csv_of(const std::vector<Row>& rows) {
   std::string text = "group,name,ranks,status";
   for (const Column& column : columns)
     text += std::string(",") + column.csv;
   text += ",message\n";
   for (const Row& row : rows) {
-    text += quoted(row.group) + "," + quoted(row.name) + format(",%u,", row.ranks) + row.status;
+    text +=
+        csv_quoted(row.group) + "," + csv_quoted(row.name) + format(",%u,", row.ranks) + row.status;
     for (const Column& column : columns) {
       const Value value = row.status == "failed" ? Value() : column.value(row);
       text += value ? format(",%.6g", *value) : ",";
     }
-    text += "," + (row.message.empty() ? "" : quoted(row.message)) + "\n";
+    text += "," + csv_words(row.message) + "\n";
   }
   return text;
 }

@@ -47,13 +47,26 @@ TEST(Comparison, HasOneRowPerRunAndTellsWhatFailed) {
   write_comparison(comparison(), folder / "");
   const std::string csv = contents(folder / "study.csv");
   EXPECT_EQ(count(csv, "\n"), 5u);
-  EXPECT_NE(csv.find("\"FE\",\"10\",1,ok,1,1,1,,,2,0.1,4,6,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("FE,10,1,ok,1,1,1,,,2,0.1,4,6,"), std::string::npos) << csv;
   EXPECT_NE(csv.find("\"It said \"\"no\"\", and stopped.\""), std::string::npos) << csv;
   const std::string table = contents(folder / "study.md");
   EXPECT_NE(table.find("| FE | 5 | 1 | 10.0 | 0.500 | 1.00 | 1.50 | ok |"), std::string::npos)
       << table;
   EXPECT_NE(table.find("- other/bad, 1: It said"), std::string::npos) << table;
   EXPECT_EQ(table.find("cells"), std::string::npos) << "a column that no run fills";
+}
+
+TEST(Comparison, QuotesInCsvWhatHasToBe) {
+  const TemporaryFolder folder;
+  Comparison with_words = comparison();
+  with_words.rows.front().group = "FE, fine";
+  with_words.rows.front().name = "#\"1\"";
+  with_words.rows.back().message = "=1+1\nis no error";
+  write_comparison(with_words, folder / "");
+  const std::string csv = contents(folder / "study.csv");
+  EXPECT_NE(csv.find("\n\"FE, fine\",\"#\"\"1\"\"\",1,ok,1,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find(",\"'=1+1\nis no error\"\n"), std::string::npos)
+      << "words of a program must not be a formula: " << csv;
 }
 
 TEST(Comparison, PictureHasASignPerRunAndTheFrontOfTheBest) {
