@@ -4,8 +4,8 @@
 cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit
 
 # Inside containers Open MPI may be forbidden to read another process's memory. Its other way of
-# passing messages on one machine works everywhere.
-export OMPI_MCA_btl_vader_single_copy_mechanism=none
+# passing messages on one machine works everywhere. The names are those of versions 4 and 5.
+export OMPI_MCA_btl_vader_single_copy_mechanism=none OMPI_MCA_smsc=^cma
 
 # die SENTENCE: prints one sentence to standard error and ends the script.
 die() {

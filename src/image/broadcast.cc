@@ -45,7 +45,8 @@ void broadcast(LabelImage& image, MPI_Comm communicator) {
 }
 
 void broadcast(RigidTransform& transform, MPI_Comm communicator) {
-  MPI_Bcast(transform.rotation.begin_raw(), 9, MPI_DOUBLE, 0, communicator);
+  for (unsigned row = 0; row < 3; ++row)
+    MPI_Bcast(transform.rotation[row].begin_raw(), 3, MPI_DOUBLE, 0, communicator);
   MPI_Bcast(transform.centre.begin_raw(), 3, MPI_DOUBLE, 0, communicator);
   MPI_Bcast(transform.translation.begin_raw(), 3, MPI_DOUBLE, 0, communicator);
 }

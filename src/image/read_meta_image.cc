@@ -43,7 +43,7 @@ public:
     if (values.empty())
       values = std::move(found);
     else
-      values.insert(values.end(), found.begin(), found.end());
+      std::copy(found.begin(), found.end(), std::back_inserter(values));
     // This also lets zlib compare the checksum at the end.
     unsigned char next;
     if (source->read(&next, 1) != 0)

@@ -3,6 +3,7 @@
 #include <memory>
 #include <variant>
 
+#include "dense_block.h"
 #include "equilibrium.h"
 #include "mechanics/element/membrane.h"
 #include "mechanics/element/nodal_pressure.h"
@@ -12,10 +13,6 @@ namespace prosup::mechanics {
 using namespace dealii;
 
 namespace {
-
-std::vector<double> dense(const Tensor<2, 3>& block) {
-  return {block.begin_raw(), block.end_raw()};
-}
 
 /// sum over components of u_i w_j as a dense block.
 void outer(const std::vector<Tensor<1, 3>>& u, const std::vector<Tensor<1, 3>>& w,

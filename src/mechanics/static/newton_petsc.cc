@@ -6,6 +6,7 @@
 
 #include "newton.h"
 #include "petsc_linear_algebra.h"
+#include "petsc_versions.h"
 
 namespace prosup::mechanics {
 
@@ -63,7 +64,7 @@ private:
     SNESLineSearch search = nullptr;
     check(SNESGetLineSearch(snes, &search));
     check(SNESLineSearchSetType(search, SNESLINESEARCHSHELL));
-    check(SNESLineSearchShellSetUserFunc(search, &PetscNewton::backtrack, this));
+    check(SNESLineSearchShellSetApply(search, &PetscNewton::backtrack, this));
     KSP ksp = nullptr;
     check(SNESGetKSP(snes, &ksp));
     petsc::set_linear_solver(ksp, solver_);

@@ -27,6 +27,8 @@ void start() {
   if (PetscInitializeNoArguments() != 0)
     throw Error("PETSc cannot be started; choose a linear algebra of Trilinos in "
                 "'Quasi-static/Linear algebra'.");
+  // PETSc 3.22 would end with a warning that nothing used it.
+  PetscOptionsClearValue(nullptr, "-skip_petscrc");
   int key = MPI_KEYVAL_INVALID;
   MPI_Comm_create_keyval(MPI_COMM_NULL_COPY_FN, finalize_petsc, &key, nullptr);
   MPI_Comm_set_attr(MPI_COMM_SELF, key, nullptr);

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "dense_block.h"
 #include "petsc_linear_algebra.h"
 #include "prosup/core/error.h"
 #include "prosup/core/log.h"
@@ -205,7 +206,7 @@ private:
       const PetscInt row = global(node);
       const Tensor<2, 3> block = scale * equations_.constraint[node];
       if (block.norm() > 0.)
-        check(MatSetValuesBlocked(matrix.get(), 1, &row, 1, &row, block.begin_raw(), ADD_VALUES));
+        check(MatSetValuesBlocked(matrix.get(), 1, &row, 1, &row, dense(block).data(), ADD_VALUES));
     }
     finish(matrix);
   }
