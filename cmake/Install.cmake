@@ -9,6 +9,15 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/prosup DESTINATION ${CMAKE_INSTA
 # Where prosup compare looks for the parameter files of other programs.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/prm/peers DESTINATION ${CMAKE_INSTALL_DATADIR}/prosup)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# Parameter files to begin with, and the sample that they name.
+set(sample tests/data/anthro1)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/${sample} DESTINATION ${CMAKE_INSTALL_DATADIR}/prosup)
+file(READ ${PROJECT_SOURCE_DIR}/prm/quickstart.prm quickstart)
+string(REPLACE ../${sample} ../anthro1 quickstart "${quickstart}")
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/quickstart.prm CONTENT "${quickstart}" @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/quickstart.prm
+  ${PROJECT_SOURCE_DIR}/prm/phantom.prm ${PROJECT_SOURCE_DIR}/prm/phantom_mrct.prm
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/prosup/prm)
 
 install(EXPORT prosupTargets NAMESPACE prosup:: DESTINATION ${package_folder})
 

@@ -1,6 +1,5 @@
 #include "prosup/pipeline/command_line.h"
 
-#include <CLI/CLI.hpp>
 #include <deal.II/base/mpi.h>
 
 #include <chrono>
@@ -9,23 +8,16 @@
 #include <thread>
 #include <vector>
 
-#include "command_table.h"
+#include "command_app.h"
 #include "prosup/core/error.h"
 #include "prosup/core/exception_text.h"
 #include "prosup/core/unfinished.h"
-#include "prosup/core/version.h"
 
 namespace prosup::pipeline {
 
 namespace {
 
 constexpr int success = static_cast<int>(Outcome::success), failure = 1;
-
-/// All parameters with their defaults.
-void declare_defaults(dealii::ParameterHandler& defaults) {
-  const AllParameters parameters;
-  dealii::ParameterAcceptor::declare_all_parameters(defaults);
-}
 
 int report(const std::string& message, MPI_Comm world) {
   // After a signal the error is that files are gone, and this waits for the end of the program.
@@ -47,14 +39,6 @@ int report_and_end_all(const std::exception& exception, MPI_Comm world) {
   MPI_Abort(world, failure);
   return failure;
 }
-
-/// What --help says of the exit code.
-constexpr const char* exit_codes =
-    "Exit codes: 0 success; 1 wrong input, or no memory or space on the disk: nothing was written; "
-    "2 results were written, but a simulation did not settle (unload, load); 3 results were "
-    "written, "
-    "but the verdict on the registration is that it failed (register); 128 + N ended by signal N: "
-    "nothing was written. One line on standard error says why.";
 
 /// The sentence for a command line without a command that exists.
 std::string no_command(const CLI::App& app) {
@@ -90,31 +74,18 @@ int answer(const CLI::App& app, const CLI::ParseError& request, MPI_Comm world) 
 } // namespace
 
 int run_command_line(int argc, char** argv, MPI_Comm world) {
-  CLI::App app{"Aligns a prone and a supine breast image by finite elements.", "prosup"};
-  app.set_version_flag("--version", version());
-  app.require_subcommand(1);
-  app.footer(exit_codes);
-  dealii::ParameterHandler defaults;
-  declare_defaults(defaults);
-  Request request;
-  const std::vector<Command> commands = all_commands();
-  for (const Command& command : commands) {
-    CLI::App& subcommand = *app.add_subcommand(command.name, command.text);
-    command.add_options(subcommand, defaults, request);
-    subcommand.set_version_flag("--version", version());
-    subcommand.footer(exit_codes);
-  }
+  CommandApp all;
   try {
-    app.parse(argc, argv);
+    all.app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return answer(app, error, world);
+    return answer(all.app, error, world);
   } catch (const std::exception& error) { // the same on all ranks
     return report(text_of(error), world);
   }
   try {
-    for (const Command& command : commands)
-      if (app.got_subcommand(command.name))
-        return static_cast<int>(command.run(request, world));
+    for (const Command& command : all.commands)
+      if (all.app.got_subcommand(command.name))
+        return static_cast<int>(command.run(all.request, world));
     return failure;
   } catch (const Error& error) {
     return report(text_of(error), world);

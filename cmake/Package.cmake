@@ -1,0 +1,19 @@
+# cpack: a Debian package for the release on which it is made.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_CONTACT "The prosup developers <${PROJECT_NAME}@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION
+"Finds a point of the prone breast image in the supine one: both breasts are
+meshed, unloaded from gravity and brought together by explicit finite elements.
+With the library gmsh, this program may be passed on under the terms of the
+GNU General Public License only.")
+set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+# What the program and the libraries are linked with, by dpkg-shlibdeps (package dpkg-dev).
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR})
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS openmpi-bin)
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS libdeal.ii-dev)
+include(CPack)
