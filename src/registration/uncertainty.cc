@@ -32,7 +32,7 @@ constexpr double level = 2.;                         // mm, of the voxels for H
 
 // Fitted to reference cases, see docs/uncertainty.md.
 constexpr double image_weight = 10.;  // w: the model is trusted less than by the image forces
-constexpr double prior = 4000.;       // theta over the volume of a voxel, Pa
+constexpr double prior = 4000.;       // theta/V_v, Pa
 constexpr double cut_part = 1.7;      // c
 constexpr double cut_reach = 8.;      // l, mm
 constexpr double wall_part = 20.;     // e

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
+#include <vector>
 
 namespace prosup::tests {
 namespace {
@@ -62,8 +64,9 @@ TEST(StepForecast, SurvivesSteps) {
   forecast.begin(1, 10., 0.);
   for (const double value : {10., 12., 12., 12., 5.}) {
     forecast.step(value, 1.);
-    if (const auto left = forecast.seconds_left())
+    if (const auto left = forecast.seconds_left()) {
       EXPECT_TRUE(std::isfinite(*left) && *left >= 0.) << value;
+    }
   }
 }
 
