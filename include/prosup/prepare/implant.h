@@ -14,8 +14,9 @@ struct SolidPart {
   double deviation = 0.;  ///< of its intensities, over the difference of fat and gland
   image::Point<3> centre; ///< of the ball, LPS, mm
 
-  /// Gland has fat in it and edges; the filling of an implant has neither.
-  bool is_implant() const { return radius >= 16. && volume >= 80. && deviation <= 0.3; }
+  /// Gland has fat in it and edges; the filling of an implant has neither. A dense breast must not
+  /// be refused: f > 1/2 alone keeps the deviation of its gland below about 0.3.
+  bool is_implant() const { return radius >= 18. && volume >= 80. && deviation <= 0.12; }
 };
 
 /// Looks for voxels with the fraction of gland f = (I - mu_0) / (mu_1 - mu_0) above 0.5 (silicone
