@@ -117,7 +117,8 @@ void Equilibrium::add_nodal_tangents(const NodeVector& unknown, const AddBlock& 
 
 DynamicSparsityPattern Equilibrium::node_pattern(bool with_products) const {
   const unsigned n_nodes = n_global_nodes(body_);
-  DynamicSparsityPattern pattern(n_nodes, n_nodes);
+  const IndexSet all_rows = complete_index_set(n_nodes);
+  DynamicSparsityPattern pattern(n_nodes, n_nodes, all_rows);
   const auto couple = [&](const auto& nodes) {
     for (const auto row : nodes)
       for (const auto column : nodes)
@@ -139,8 +140,7 @@ DynamicSparsityPattern Equilibrium::node_pattern(bool with_products) const {
   IndexSet owned(n_nodes);
   if (body_.n_owned_nodes() > 0)
     owned.add_range(global_node(0), global_node(0) + body_.n_owned_nodes());
-  SparsityTools::distribute_sparsity_pattern(pattern, owned, body_.communicator(),
-                                             complete_index_set(n_nodes));
+  SparsityTools::distribute_sparsity_pattern(pattern, owned, body_.communicator(), all_rows);
   return pattern;
 }
 

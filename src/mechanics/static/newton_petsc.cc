@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <limits>
 #include <memory>
 
 #include "newton.h"
@@ -17,6 +18,9 @@ namespace {
 using petsc::check;
 using petsc::Owned;
 using petsc::QuietErrors;
+
+/// The negative numbers that stand for it depend on the version.
+constexpr PetscInt no_limit = std::numeric_limits<PetscInt>::max();
 
 class PetscNewton : public NewtonSolver {
 public:
@@ -41,7 +45,7 @@ public:
     set_rigid_modes(unknown);
     copy(unknown.begin(), solution_.get());
     check(SNESSetTolerances(snes_.get(), limits.residual_norm, 0., 0.,
-                            static_cast<PetscInt>(limits.max_steps), -1));
+                            static_cast<PetscInt>(limits.max_steps), no_limit));
     const PetscErrorCode code = SNESSolve(snes_.get(), nullptr, solution_.get());
     if (failure_)
       std::rethrow_exception(failure_);
@@ -60,7 +64,7 @@ private:
     check(
         SNESSetJacobian(snes, matrix_.get(), matrix_.get(), &PetscNewton::evaluate_tangent, this));
     // An inexact solution is a direction still: the line search decides.
-    check(SNESSetMaxLinearSolveFailures(snes, -1));
+    check(SNESSetMaxLinearSolveFailures(snes, no_limit));
     SNESLineSearch search = nullptr;
     check(SNESGetLineSearch(snes, &search));
     check(SNESLineSearchSetType(search, SNESLINESEARCHSHELL));
