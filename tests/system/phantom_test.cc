@@ -1,5 +1,7 @@
 #include <array>
 #include <cmath>
+#include <cstdlib>
+#include <fstream>
 
 #include "all_files_known.h"
 #include "prosup/evaluation/landmarks.h"
@@ -54,6 +56,18 @@ protected:
 
   const TemporaryFolder folder_;
 };
+
+TEST_F(PhantomCommand, LeavesThePetscOptionsOfItsUserAlone) {
+  std::ofstream(folder_ / ".petscrc") << "-log_view\n";
+  const char* found = std::getenv("HOME");
+  const std::string home = found != nullptr ? found : "";
+  ::setenv("HOME", std::string(folder_ / "").c_str(), 1);
+  const ProgramRun run =
+      run_prosup({"phantom", small_phantom, "--output", folder_ / "one", "--quiet"});
+  ::setenv("HOME", home.c_str(), 1);
+  EXPECT_EQ(run.exit_code, 0) << run.transcript();
+  EXPECT_EQ(run.out + run.err, "");
+}
 
 TEST_F(PhantomCommand, IsTheSameOnTwoRanks) {
   const std::vector<std::string> finer{"Quasi-static/Tolerance=1e-10"};

@@ -20,15 +20,16 @@ int finalize_petsc(MPI_Comm, int, void*, void*) {
 void start() {
   if (PetscInitializeCalled)
     return;
-  // The host's signals, options and options files are its own.
-  PetscOptionsSetValue(nullptr, "-no_signal_handler", "true");
-  PetscOptionsSetValue(nullptr, "-skip_petscrc", "true");
+  // The host's signals, options and options files are its own. PETSc skips ~/.petscrc only if it is
+  // told so by arguments, which it keeps.
+  static char name[] = "prosup", skip[] = "-skip_petscrc", no_signals[] = "-no_signal_handler";
+  static char* arguments[] = {name, skip, no_signals, nullptr};
+  int n_arguments = 3;
+  char** first = arguments;
   PETSC_COMM_WORLD = MPI_COMM_SELF;
-  if (PetscInitializeNoArguments() != 0)
+  if (PetscInitialize(&n_arguments, &first, nullptr, nullptr) != 0)
     throw Error("PETSc cannot be started; choose a linear algebra of Trilinos in "
                 "'Quasi-static/Linear algebra'.");
-  // PETSc 3.22 would end with a warning that nothing used it.
-  PetscOptionsClearValue(nullptr, "-skip_petscrc");
   int key = MPI_KEYVAL_INVALID;
   MPI_Comm_create_keyval(MPI_COMM_NULL_COPY_FN, finalize_petsc, &key, nullptr);
   MPI_Comm_set_attr(MPI_COMM_SELF, key, nullptr);
