@@ -109,10 +109,10 @@ std::optional<HangingParts> take_off_hanging_parts(LabelImage& labels, unsigned 
   HangingParts result;
   result.volume = double(found.size()) * labels.grid.voxel_volume();
   for (const std::size_t v : found) {
-    const auto [nx, ny, nz] = labels.grid.size;
-    result.centre += Tensor<1, 3>(labels.grid.physical(double(v % nx), double(v / nx % ny),
-                                                       double(v / (nx * ny)))) /
-                     double(found.size());
+    const std::size_t row = labels.grid.size[0], slice = row * labels.grid.size[1];
+    const std::size_t i = v % row, j = v % slice / row, k = v / slice;
+    result.centre +=
+        Tensor<1, 3>(labels.grid.physical(double(i), double(j), double(k))) / double(found.size());
     labels.values[v] = 0;
   }
   return result;
