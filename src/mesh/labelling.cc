@@ -124,12 +124,14 @@ std::vector<BoundaryFace> find_boundary(const TetMesh& mesh, const image::LabelI
   for (const OuterFace& face : outer_faces(mesh)) {
     const std::array<Point<3>, 3> corners{mesh.points[face.nodes[0]], mesh.points[face.nodes[1]],
                                           mesh.points[face.nodes[2]]};
-    BoundaryPart part = BoundaryPart::skin;
-    const unsigned beyond = label_beyond(corners, labels, meaning.tissues);
-    if (in_image_border(corners, labels.grid) || (beyond == meaning.unknown && beyond != 0))
-      part = BoundaryPart::cut_plane;
-    else if (beyond == meaning.chest)
-      part = BoundaryPart::chest_wall;
+    BoundaryPart part = BoundaryPart::cut_plane;
+    if (!in_image_border(corners, labels.grid)) {
+      const unsigned beyond = label_beyond(corners, labels, meaning.tissues);
+      if (beyond == meaning.chest)
+        part = BoundaryPart::chest_wall;
+      else if (beyond == 0 || beyond != meaning.unknown)
+        part = BoundaryPart::skin;
+    }
     result.push_back({face.nodes, part});
   }
   return result;

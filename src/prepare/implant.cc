@@ -69,9 +69,9 @@ SolidPart measured(const ScalarImage& fraction, const LabelImage& mask) {
     }
   }
   part.deviation = std::sqrt(std::max(0., squares / n - (sum / n) * (sum / n)));
-  const auto& size = mask.grid.size;
-  part.centre = mask.grid.physical(double(deepest % size[0]), double(deepest / size[0] % size[1]),
-                                   double(deepest / (size[0] * size[1])));
+  const std::size_t row = mask.grid.size[0], slice = row * mask.grid.size[1];
+  const std::size_t i = deepest % row, j = deepest % slice / row, k = deepest / slice;
+  part.centre = mask.grid.physical(double(i), double(j), double(k));
   return part;
 }
 

@@ -9,23 +9,38 @@ namespace prosup::registration {
 
 namespace {
 
+bool has(const image::LabelImage& labels, unsigned label) {
+  return label != 0 &&
+         std::find(labels.values.begin(), labels.values.end(), label) != labels.values.end();
+}
+
 /// With another label where nothing is known.
 image::LabelImage with_unknown_as(std::uint8_t label, image::LabelImage labels,
                                   unsigned unknown_label) {
-  if (unknown_label != 0)
-    std::replace(labels.values.begin(), labels.values.end(), std::uint8_t(unknown_label), label);
+  std::replace(labels.values.begin(), labels.values.end(), std::uint8_t(unknown_label), label);
   return labels;
 }
 
 /// image::take_off_hanging_parts() for the body; what is unknown is none of its parts.
 std::optional<image::HangingParts>
 take_off_hanging_parts(image::LabelImage& labels, unsigned chest_label, unsigned unknown_label) {
+  if (!has(labels, unknown_label))
+    return image::take_off_hanging_parts(labels, chest_label);
   image::LabelImage body = with_unknown_as(0, labels, unknown_label);
   const auto parts = image::take_off_hanging_parts(body, chest_label);
   for (std::size_t v = 0; parts && v < body.values.size(); ++v)
     if (labels.values[v] != unknown_label)
       labels.values[v] = body.values[v];
   return parts;
+}
+
+/// image::flat_ends() but for those at what is unknown.
+std::vector<image::FlatEnd> flat_ends(const image::LabelImage& labels, unsigned chest_label,
+                                      unsigned unknown_label) {
+  if (!has(labels, unknown_label))
+    return image::flat_ends(labels, chest_label);
+  return image::flat_ends(with_unknown_as(std::uint8_t(chest_label), labels, unknown_label),
+                          chest_label);
 }
 
 } // namespace
@@ -46,8 +61,7 @@ image::LabelImage completed_labels(const image::LabelImage& given, Position posi
         "them 0, or more of the tissue between.",
         1e-3 * parts->volume, name_of(position), parts->centre[0], parts->centre[1],
         parts->centre[2]));
-  const std::vector<image::FlatEnd> ends = image::flat_ends(
-      with_unknown_as(std::uint8_t(chest_label), labels, unknown_label), chest_label);
+  const std::vector<image::FlatEnd> ends = flat_ends(labels, chest_label, unknown_label);
   for (const image::FlatEnd& end : ends) {
     dealii::Tensor<1, 3> outwards;
     for (unsigned c = 0; c < 3; ++c)
