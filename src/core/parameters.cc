@@ -21,8 +21,9 @@ constexpr const char* where_allowed = "; --write-prm FILE lists all entries and 
 
 /// Ends a message on a value that does not match its pattern with what is allowed
 /// in words, where deal.II has it in its own notation, as in <[Selection a|b ]>.
+/// The last mention of a pattern is deal.II's: one before may stand in the file.
 std::string with_readable_pattern(const std::string& text) {
-  const std::size_t verdict = text.find("does not match the given pattern");
+  const std::size_t verdict = text.rfind("does not match the given pattern");
   const std::size_t begin = text.find('[', verdict), end = text.rfind(']');
   if (verdict == std::string::npos || begin == std::string::npos || end < begin)
     return text;
@@ -41,7 +42,12 @@ std::string as_clause(const ExceptionBase& exception) {
   std::string line = on_one_line(text.str());
   while (!line.empty() && line.back() == '.')
     line.pop_back();
-  return with_readable_pattern(line);
+  // What others quote from the file may look like a pattern, and deal.II's reader of patterns
+  // does not survive half of one.
+  const bool names_pattern =
+      dynamic_cast<const ParameterHandler::ExcValueDoesNotMatchPattern*>(&exception) != nullptr ||
+      dynamic_cast<const ParameterHandler::ExcInvalidEntryForPattern*>(&exception) != nullptr;
+  return names_pattern ? with_readable_pattern(line) : line;
 }
 
 /// The files that `file` includes, as deal.II reads them: relative to the working folder.

@@ -55,8 +55,10 @@ double unit_in_mm(const NrrdHeader& header, const std::string& file) {
   }
   if (units.empty() && text.empty())
     return 1.;
+  if (units.empty())
+    units.push_back(text); // one word without quotes
   const auto n_space = std::min<std::size_t>(units.size(), 3); // a fourth is that of time
-  const auto found = known.find(units.empty() ? text : units[0]);
+  const auto found = known.find(units[0]);
   if (found == known.end() ||
       std::count(units.begin(), units.begin() + long(n_space), units[0]) != long(n_space))
     refuse_nrrd_header(file, "has the 'space units' " + text.substr(0, 40) +

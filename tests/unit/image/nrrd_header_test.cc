@@ -73,6 +73,7 @@ TEST(NrrdHeader, DoubtIsSpoken) {
         {lps + directions + origin + "space units: \"um\" \"um\" \"um\"\n", "converted to mm",
          2e-3},
         {lps + directions + origin + "space units: \"m\" \"m\" \"m\" \"s\"\n", "converted", 2e3},
+        {lps + directions + origin + "space units: cm\n", "converted to mm", 20.},
         {lps + directions + origin + "space units: \"mm\" \"mm\" \"mm\"\n", "", 2.}}) {
     Remarks remarks;
     EXPECT_DOUBLE_EQ(place(c.fields, remarks).step[0][0], c.first_step) << c.fields;
