@@ -28,8 +28,8 @@ void FdmUnloading::hold_reference() {
   simulation_->hold_reference();
 }
 
-SettlingResult FdmUnloading::run(unsigned max_steps) {
-  return simulation_->loop().run(max_steps);
+SettlingResult FdmUnloading::run(const settling::Effort& effort) {
+  return simulation_->loop().run(effort);
 }
 
 SettlingResult FdmUnloading::advance(unsigned n_steps) {

@@ -48,10 +48,9 @@ void BreastPair::set_properties(const MechanicalProperties& properties) {
   for_each([&](Position, Breast& breast) { breast.set_properties(properties); });
 }
 
-PerPosition<SettlingResult> BreastPair::unload(unsigned max_steps) {
+PerPosition<SettlingResult> BreastPair::unload(const settling::Effort& effort) {
   PerPosition<SettlingResult> results;
-  for_each(
-      [&](Position position, Breast& breast) { results[position] = breast.unload(max_steps); });
+  for_each([&](Position position, Breast& breast) { results[position] = breast.unload(effort); });
   return ranks_.share(std::move(results));
 }
 

@@ -47,8 +47,8 @@ void ElementBreast::set_properties(const MechanicalProperties& properties) {
   unloading().set_material(material_of_elements_);
 }
 
-SettlingResult ElementBreast::unload(unsigned max_steps) {
-  SettlingResult result = unloading().run(max_steps);
+SettlingResult ElementBreast::unload(const settling::Effort& effort) {
+  SettlingResult result = unloading().run(effort);
   result.remarks = parts_.remarks;
   const auto& more = unloading().remarks();
   result.remarks.insert(result.remarks.end(), more.begin(), more.end());

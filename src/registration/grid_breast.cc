@@ -103,8 +103,8 @@ SettlingResult GridBreast::of_tissue(SettlingResult result) const {
   return result;
 }
 
-SettlingResult GridBreast::unload(unsigned max_steps) {
-  return of_tissue(unloading_->run(max_steps));
+SettlingResult GridBreast::unload(const settling::Effort& effort) {
+  return of_tissue(unloading_->run(effort));
 }
 
 SettlingResult GridBreast::load() {

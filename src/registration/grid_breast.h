@@ -19,7 +19,7 @@ public:
   bool has_gland() const override;
   void set_properties(const MechanicalProperties& properties) override;
 
-  settling::SettlingResult unload(unsigned max_steps = 0) override;
+  settling::SettlingResult unload(const settling::Effort& effort = {}) override;
   settling::SettlingResult load() override;
   settling::SettlingResult advance(double duration) override;
   void save() override;

@@ -2,6 +2,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <cmath>
 #include <utility>
 
 #include "prosup/core/collective.h"
@@ -14,9 +15,10 @@ using settling::SettlingResult;
 
 namespace {
 
-// A breast that is too soft for its weight becomes stiffer by this factor, so many times.
+// A breast that is too soft for its weight becomes stiffer by this factor, so many times: up to
+// 11 times as stiff in short attempts, then up to 3.4 times with all patience.
 constexpr double stiffening = 1.5;
-constexpr unsigned most_stiffenings = 3;
+constexpr unsigned most_attempts = 7, most_stiffenings = 3;
 
 } // namespace
 
@@ -87,27 +89,39 @@ void Registration::make_pair(const PerPosition<const mesh::MeshSource*>& meshers
 }
 
 /// A body that is too soft to have an unloaded state becomes stiffer: the search of the properties
-/// has to start where there is one.
+/// has to start where there is one. Short attempts come first, since a soft breast takes long until
+/// nothing has helped, and may then settle with its chest held, which its search would keep.
 PerPosition<SettlingResult> Registration::unload_stiff_enough() {
-  MechanicalProperties properties = pair_->properties();
-  std::vector<std::string> remarks;
-  for (unsigned n = 0;; ++n)
+  const MechanicalProperties given = pair_->properties();
+  const bool may_stiffen = parameters_.material_update.searches();
+  pair_->save();
+  for (unsigned n = may_stiffen ? 0 : most_attempts;; ++n) {
+    const bool is_short = n < most_attempts;
+    const unsigned n_stiffenings = is_short ? n : n - most_attempts;
+    MechanicalProperties properties = given;
+    properties.tissue.shear_modulus *= std::pow(stiffening, n_stiffenings);
     try {
-      PerPosition<SettlingResult> results = pair_->unload();
-      results.prone.remarks.insert(results.prone.remarks.end(), remarks.begin(), remarks.end());
+      if (n > 0 && may_stiffen) {
+        log_.line(format("  Once more with %.4g Pa", properties.tissue.shear_modulus));
+        if (n <= most_attempts)
+          pair_->restore();
+        else // nodes may be held by now
+          make_pair({mesher_, mesher_});
+        pair_->set_properties(properties);
+      }
+      PerPosition<SettlingResult> results = pair_->unload({0, is_short});
+      if (n_stiffenings > 0)
+        results.prone.remarks.push_back(
+            format("With 'Material/Shear modulus' as given a breast did not settle, so the search "
+                   "of the properties starts from %.4g Pa.",
+                   properties.tissue.shear_modulus));
       return results;
     } catch (const Error& error) {
-      if (n == most_stiffenings || !parameters_.material_update.searches())
+      if (!may_stiffen || n == most_attempts + most_stiffenings)
         throw;
-      properties.tissue.shear_modulus *= stiffening;
-      remarks = {format("With 'Material/Shear modulus' as given a breast has no unloaded state "
-                        "that could be found, so the search of the properties starts from %.4g Pa.",
-                        properties.tissue.shear_modulus)};
-      log_.line("  " + std::string(error.what()) +
-                format("\n  Once more with %.4g Pa", properties.tissue.shear_modulus));
-      make_pair({mesher_, mesher_});
-      pair_->set_properties(properties);
+      log_.line("  " + std::string(error.what()));
     }
+  }
 }
 
 PerPosition<SettlingResult> Registration::unload() {

@@ -41,7 +41,7 @@ void Settling::retreat(const std::string& what, Trouble trouble, SettlingResult&
   std::string reason = what;
   if (const std::string cell = simulation_.worst_cell(); !cell.empty())
     reason += ", " + cell;
-  const Remedy remedy = simulation_.mend(trouble);
+  const Remedy remedy = gives_up_early_ ? Remedy() : simulation_.mend(trouble);
   const bool may_retry = result.n_retries < max_retries_;
   if (may_retry) {
     if (!remedy.is_sufficient)
@@ -55,15 +55,8 @@ void Settling::retreat(const std::string& what, Trouble trouble, SettlingResult&
   simulation_.restore(last_good_);
   simulation_.stop();
   if (!may_retry)
-    give_up(format(
-        "diverged at step %u (%s; %s) and %u retries with %ssmaller steps and slower ramps did "
-        "not help%s",
-        result.n_steps, reason.c_str(), simulation_.softness().c_str(), result.n_retries,
-        is_full_correction() ? "" : "longer lags, ",
-        is_full_correction() ? ("; the full correction flutters on soft bodies, so choose '" +
-                                description_.section + "/Correction scheme' = relaxed")
-                                   .c_str()
-                             : ""));
+    give_up(format("diverged at step %u (%s; %s)%s", result.n_steps, reason.c_str(),
+                   simulation_.softness().c_str(), what_did_not_help(result.n_retries).c_str()));
   ++result.n_retries;
   simulation_.update_time_step(caution_.step_safety);
   log_.line(format("  %s: %s; back to the last good state, %s, ramp %.1f, time step %.2f ms%s",
@@ -72,6 +65,17 @@ void Settling::retreat(const std::string& what, Trouble trouble, SettlingResult&
                                         : format("lag factor %.1f", caution_.lag_factor).c_str(),
                    caution_.gravity_ramp, 1e3 * simulation_.time_step(),
                    remedy.description.empty() ? "" : (", " + remedy.description).c_str()));
+}
+
+std::string Settling::what_did_not_help(unsigned n_retries) const {
+  if (gives_up_early_)
+    return {};
+  const std::string text = format(" and %u retries with ", n_retries);
+  if (is_full_correction())
+    return text + "smaller steps and slower ramps did not help; the full correction flutters on "
+                  "soft bodies, so choose '" +
+           description_.section + "/Correction scheme' = relaxed";
+  return text + "longer lags, smaller steps and slower ramps did not help";
 }
 
 /// Chooses the state to return to, and safer values. A stall needs no smaller steps.
@@ -119,7 +123,7 @@ void Settling::end_unsettled(SettlingResult& result) {
 }
 
 void Settling::give_up(const std::string& what) {
-  const std::string advice = search_load();
+  const std::string advice = gives_up_early_ ? "" : search_load();
   caution_ = caution_at_begin_; // the retreats did not help
   throw DivergenceError("The unloading of " + description_.name + " " + what + advice + ".");
 }

@@ -24,12 +24,16 @@ Settling::Settling(Simulation& simulation, const SettlingParameters& parameters,
                           description_.update_interval, 1.},
       caution_at_begin_(caution_), max_retries_(parameters.max_retries) {}
 
-SettlingResult Settling::run(unsigned max_steps) {
+SettlingResult Settling::run(const Effort& effort) {
   const unsigned limit = parameters_.max_steps;
-  return simulate(max_steps == 0 ? limit : std::min(max_steps, limit), true);
+  gives_up_early_ = effort.gives_up_early;
+  max_retries_ = gives_up_early_ ? 0 : parameters_.max_retries;
+  return simulate(effort.max_steps == 0 ? limit : std::min(effort.max_steps, limit), true);
 }
 
 SettlingResult Settling::advance(unsigned n_steps) {
+  gives_up_early_ = false;
+  max_retries_ = parameters_.max_retries;
   return simulate(n_steps, false);
 }
 

@@ -56,8 +56,8 @@ void Unloading::set_keeper(std::function<void(unsigned)> keeper) {
   simulation_->loop().set_keeper(std::move(keeper));
 }
 
-SettlingResult Unloading::run(unsigned max_steps) {
-  return simulation_->loop().run(max_steps);
+SettlingResult Unloading::run(const settling::Effort& effort) {
+  return simulation_->loop().run(effort);
 }
 
 SettlingResult Unloading::advance(unsigned n_steps) {

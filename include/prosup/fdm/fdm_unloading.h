@@ -10,6 +10,7 @@
 #include "prosup/fdm/fdm_body.h"
 #include "prosup/fdm/fdm_parameters.h"
 #include "prosup/fdm/vector_field.h"
+#include "prosup/settling/effort.h"
 #include "prosup/settling/settling_result.h"
 #include "prosup/settling/simulation.h"
 
@@ -51,12 +52,10 @@ public:
   /// are those of the unloaded configuration.
   void hold_reference();
 
-  /// Simulates until the tolerances are met, for at most `max_steps` steps if that is
-  /// not 0, and never more than the parameter's. Recovers from divergence and
-  /// stalls (docs/fdm.md).
+  /// Simulates until the tolerances are met. Recovers from divergence and stalls (docs/fdm.md).
   /// @throws DivergenceError with a diagnosis if all retries are used up; the last good
   /// state is then restored.
-  SettlingResult run(unsigned max_steps = 0);
+  SettlingResult run(const settling::Effort& effort = {});
   /// Simulates `n_steps` steps. @throws as run().
   SettlingResult advance(unsigned n_steps);
 

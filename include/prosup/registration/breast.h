@@ -6,6 +6,7 @@
 
 #include "prosup/mesh/tet_mesh.h"
 #include "prosup/registration/mechanical_properties.h"
+#include "prosup/settling/effort.h"
 #include "prosup/settling/settling_result.h"
 #include "prosup/similarity/samples.h"
 
@@ -27,9 +28,8 @@ public:
   /// Goes on from the present state with other properties.
   virtual void set_properties(const MechanicalProperties& properties) = 0;
 
-  /// Removes gravity: simulates until settled, at most `max_steps` steps if not 0.
-  /// @throws DivergenceError if it does not settle; the last good state is restored.
-  virtual settling::SettlingResult unload(unsigned max_steps = 0) = 0;
+  /// Removes gravity: simulates until settled. @throws DivergenceError if it does not settle; the last good state is restored.
+  virtual settling::SettlingResult unload(const settling::Effort& effort = {}) = 0;
   /// Adds gravity: takes the shape that it was made with as the unloaded one. @throws as unload().
   virtual settling::SettlingResult load() = 0;
   /// Simulates for `duration` times the damping time, the inverse of r/rho. @throws as unload().

@@ -38,7 +38,7 @@ public:
   void set_properties(const MechanicalProperties& properties);
 
   /// Breast::unload() and Breast::advance() of both.
-  PerPosition<settling::SettlingResult> unload(unsigned max_steps = 0);
+  PerPosition<settling::SettlingResult> unload(const settling::Effort& effort = {});
   PerPosition<settling::SettlingResult> advance(double duration);
 
   /// Breast::save() and Breast::restore() of both.

@@ -37,7 +37,7 @@ public:
   bool knows_gravity() const override { return parts_.gravity.norm() > 0.; }
   void set_properties(const MechanicalProperties& properties) override;
 
-  settling::SettlingResult unload(unsigned max_steps = 0) override;
+  settling::SettlingResult unload(const settling::Effort& effort = {}) override;
   settling::SettlingResult load() override;
   settling::SettlingResult advance(double duration) override;
   void save() override;

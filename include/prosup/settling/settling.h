@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "prosup/core/log.h"
+#include "prosup/settling/effort.h"
 #include "prosup/settling/settling_parameters.h"
 #include "prosup/settling/settling_result.h"
 #include "prosup/settling/simulation.h"
@@ -37,11 +38,10 @@ public:
   Settling(Simulation& simulation, const SettlingParameters& parameters, Description description,
            const Log& log = Log());
 
-  /// Simulates until the tolerances are met, for at most `max_steps` steps if that is
-  /// not 0, and never more than the parameter's.
+  /// Simulates until the tolerances are met.
   /// @throws DivergenceError with a diagnosis if all retries are used up; the last
   /// good state is then restored.
-  SettlingResult run(unsigned max_steps = 0);
+  SettlingResult run(const Effort& effort = {});
   /// Simulates `n_steps` steps. @throws as run().
   SettlingResult advance(unsigned n_steps);
 
@@ -73,6 +73,7 @@ private:
   // recovery.cc
   bool recover_from_stall(double error, SettlingResult& result);
   void retreat(const std::string& what, Trouble trouble, SettlingResult& result);
+  std::string what_did_not_help(unsigned n_retries) const;
   void be_safer(Trouble trouble, bool keep_lag);
   void end_unsettled(SettlingResult& result);
   [[noreturn]] void give_up(const std::string& what);
@@ -92,6 +93,7 @@ private:
   std::function<void(unsigned)> keeper_;
   Caution caution_, caution_at_begin_;
   unsigned max_retries_;
+  bool gives_up_early_ = false;
   Snapshot first_, last_good_;
   double last_good_error_ = 0.;
   bool has_kept_ = false; // a state, since the last return

@@ -11,6 +11,7 @@
 #include "prosup/mechanics/body/node_memory.h"
 #include "prosup/mechanics/body/supports.h"
 #include "prosup/mechanics/element/internal_force.h"
+#include "prosup/settling/effort.h"
 #include "prosup/settling/settling_result.h"
 #include "prosup/unloading/unloading_parameters.h"
 
@@ -83,12 +84,10 @@ public:
   /// As settling::Settling::set_keeper.
   void set_keeper(std::function<void(unsigned n_steps)> keeper);
 
-  /// Simulates until the tolerances are met, for at most `max_steps` steps if that is
-  /// not 0, and never more than the parameter's. Recovers from divergence and
-  /// stalls (docs/stability.md).
+  /// Simulates until the tolerances are met. Recovers from divergence and stalls (docs/stability.md).
   /// @throws DivergenceError with a diagnosis if all retries are used up; the last good
   /// state is then restored.
-  SettlingResult run(unsigned max_steps = 0);
+  SettlingResult run(const settling::Effort& effort = {});
   /// Simulates `n_steps` steps. @throws as run().
   SettlingResult advance(unsigned n_steps);
 
