@@ -32,11 +32,12 @@ constexpr double level = 2.;                         // mm, of the voxels for H
 
 // Fitted to reference cases, see docs/uncertainty.md.
 constexpr double image_weight = 10.;  // w: the model is trusted less than by the image forces
-constexpr double prior = 4000.;       // theta/V_v, Pa
-constexpr double cut_part = 1.7;      // c
-constexpr double cut_reach = 8.;      // l, mm
-constexpr double wall_part = 20.;     // e
-constexpr double wall_reach = 12.5;   // m, mm
+constexpr double prior = 3900.;       // theta/V_v of a right model, Pa
+constexpr double misfit_part = 0.6;   // g, 1/mm^2
+constexpr double cut_part = 1.9;      // c
+constexpr double cut_reach = 7.5;     // l, mm
+constexpr double wall_part = 27.;     // e
+constexpr double wall_reach = 11.;    // m, mm
 constexpr double usual_motion = 0.87; // D0, mm
 
 /// The breast on springs instead of supports that do not give way, at its present X.
@@ -103,16 +104,20 @@ std::vector<double> distance_from(dealii::types::boundary_id part, const mechani
   return distances;
 }
 
+/// max(D^2 - D0^2, 0), mm^2: by how much the model is more wrong than usual.
+double misfit(double moved) {
+  return std::max(moved * moved - usual_motion * usual_motion, 0.);
+}
+
 /// What a wrong model leaves along one axis, mm^2: the second term of C of UncertaintyParameters.
 std::vector<double> left_by_model(const mechanics::Body& body, const NodeVector& unloaded,
                                   double moved) {
-  const double all = moved * moved, unusual = std::max(all - usual_motion * usual_motion, 0.);
   const std::vector<double> from_cut = distance_from(cut_plane, body, unloaded),
                             from_wall = distance_from(chest_wall, body, unloaded);
   std::vector<double> variances;
   for (std::size_t node = 0; node < from_cut.size(); ++node)
-    variances.push_back((cut_part * all * std::exp(-2. * from_cut[node] / cut_reach) +
-                         wall_part * unusual * std::exp(-2. * from_wall[node] / wall_reach)) /
+    variances.push_back((cut_part * moved * moved * std::exp(-2. * from_cut[node] / cut_reach) +
+                         wall_part * misfit(moved) * std::exp(-2. * from_wall[node] / wall_reach)) /
                         3.);
   return variances;
 }
@@ -192,8 +197,9 @@ UncertaintyParameters::covariances(const BreastPair& pair, const ComparedImages&
     std::vector<NodeCovariance> mine =
         sampled_inverse(body, found.stiffness[position], 2. * kappa, n_samples_);
     const std::vector<double> wrong = left_by_model(elements.body(), yielding.unloaded, moved);
+    const double theta = prior * voxel * (1. + misfit_part * misfit(moved));
     for (std::size_t node = 0; node < mine.size(); ++node)
-      mine[node] = prior * voxel * mine[node] + wrong[node] * unit_symmetric_tensor<3>();
+      mine[node] = theta * mine[node] + wrong[node] * unit_symmetric_tensor<3>();
     covariances[position] = at_mesh_nodes(elements, mine);
   });
   collect(pair.ranks(), covariances);
