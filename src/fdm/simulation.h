@@ -44,7 +44,7 @@ public:
   void restore(const Snapshot& snapshot) override;
   void stop() override;
   void load_between(double from, double to) override;
-  settling::Remedy mend(settling::Trouble trouble) override;
+  settling::Remedy mend(settling::Trouble trouble, bool) override;
   void strengthen_damping() override;
   std::string worst_cell() override;
   std::string softness() const override;

@@ -55,7 +55,7 @@ void FdmUnloading::Simulation::load_between(double from, double to) {
 }
 
 /// What diverges first is usually the jump of stiffness at the skin.
-settling::Remedy FdmUnloading::Simulation::mend(settling::Trouble trouble) {
+settling::Remedy FdmUnloading::Simulation::mend(settling::Trouble trouble, bool) {
   if (trouble != settling::Trouble::divergence || background_stiffness_ >= stiffest_background)
     return {};
   background_stiffness_ = std::min(2. * background_stiffness_, stiffest_background);

@@ -94,16 +94,18 @@ void Registration::make_pair(const PerPosition<const mesh::MeshSource*>& meshers
 PerPosition<SettlingResult> Registration::unload_stiff_enough() {
   const MechanicalProperties given = pair_->properties();
   const bool may_stiffen = parameters_.material_update.searches();
+  // Finite differences need returns where nothing is too soft.
+  const unsigned first = may_stiffen && pair_->consists_of_elements() ? 0 : most_attempts;
   pair_->save();
-  for (unsigned n = may_stiffen ? 0 : most_attempts;; ++n) {
+  for (unsigned n = first;; ++n) {
     const bool is_short = n < most_attempts;
     const unsigned n_stiffenings = is_short ? n : n - most_attempts;
     MechanicalProperties properties = given;
     properties.tissue.shear_modulus *= std::pow(stiffening, n_stiffenings);
     try {
-      if (n > 0 && may_stiffen) {
+      if (n > first) {
         log_.line(format("  Once more with %.4g Pa", properties.tissue.shear_modulus));
-        if (n <= most_attempts)
+        if (is_short)
           pair_->restore();
         else // nodes may be held by now
           make_pair({mesher_, mesher_});

@@ -41,8 +41,9 @@ void Settling::retreat(const std::string& what, Trouble trouble, SettlingResult&
   std::string reason = what;
   if (const std::string cell = simulation_.worst_cell(); !cell.empty())
     reason += ", " + cell;
-  const Remedy remedy = gives_up_early_ ? Remedy() : simulation_.mend(trouble);
-  const bool may_retry = result.n_retries < max_retries_;
+  const Remedy remedy = simulation_.mend(trouble, gives_up_early_);
+  const bool may_retry =
+      result.n_retries < max_retries_ && (!gives_up_early_ || remedy.is_sufficient);
   if (may_retry) {
     if (!remedy.is_sufficient)
       simulation_.strengthen_damping();

@@ -160,8 +160,8 @@ void Unloading::Simulation::load_between(double from, double to) {
 
 /// A fixed damping rate that is far off keeps a body from settling, and so do single nodes that
 /// jump to and fro on a chest without a clear normal.
-settling::Remedy Unloading::Simulation::mend(settling::Trouble trouble) {
-  if (!loop_.has_settled() && ++n_troubles_ == troubles_before_holding)
+settling::Remedy Unloading::Simulation::mend(settling::Trouble trouble, bool gives_up_early) {
+  if (!gives_up_early && !loop_.has_settled() && ++n_troubles_ == troubles_before_holding)
     if (const settling::Remedy held = hold_chest(); held.starts_anew)
       return held;
   if (trouble != settling::Trouble::stall)

@@ -51,7 +51,7 @@ public:
   void restore(const settling::Snapshot& snapshot) override;
   void stop() override;
   void load_between(double from, double to) override;
-  settling::Remedy mend(settling::Trouble trouble) override;
+  settling::Remedy mend(settling::Trouble trouble, bool gives_up_early) override;
   void strengthen_damping() override { damping_.strengthen(); }
   std::string worst_cell() override;
   std::string softness() const override;

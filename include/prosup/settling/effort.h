@@ -9,8 +9,8 @@ struct Effort {
       : max_steps(max_steps), gives_up_early(gives_up_early) {}
 
   unsigned max_steps; ///< 0: the parameter's, which is never exceeded
-  /// The caller has something else to try: no returns to a good state, nothing that changes the
-  /// body, and no search for the reason.
+  /// The caller has something else to try: no return to a good state but where a small change, such
+  /// as few nodes that are held, mends the cause, and no search for the reason.
   bool gives_up_early;
 };
 

@@ -76,9 +76,9 @@ public:
   /// Starts the ramp of gravity anew, from one fraction of it to another.
   virtual void load_between(double from, double to) = 0;
 
-  /// Changes what causes the trouble, if the simulation can tell. Called before it
-  /// goes back to a good state.
-  virtual Remedy mend(Trouble trouble) = 0;
+  /// Changes what causes the trouble, if the simulation can tell, but only what is small where the
+  /// caller `gives_up_early`. Called before it goes back to a good state.
+  virtual Remedy mend(Trouble trouble, bool gives_up_early) = 0;
   /// Damps higher modes better from now on, even if the body settles more slowly.
   virtual void strengthen_damping() = 0;
 

@@ -67,7 +67,7 @@ public:
 
   bool has_gland() const override { return true; }
   void set_properties(const MechanicalProperties&) override {}
-  settling::SettlingResult unload(unsigned) override { return {}; }
+  settling::SettlingResult unload(const settling::Effort&) override { return {}; }
   settling::SettlingResult load() override { return {}; }
   settling::SettlingResult advance(double) override { return {}; }
   void save() override {}

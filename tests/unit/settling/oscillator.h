@@ -82,7 +82,7 @@ public:
     to_ = to;
     loading_ = 0.;
   }
-  settling::Remedy mend(settling::Trouble trouble) override {
+  settling::Remedy mend(settling::Trouble trouble, bool) override {
     if (!mends_itself || trouble != settling::Trouble::divergence)
       return {};
     ++n_mended;

@@ -115,6 +115,25 @@ TEST_F(OscillatorSettles, OrIsLeftInTheLastGoodState) {
   EXPECT_GT(oscillator.unloaded, Oscillator::exact() + parameters.position_tolerance);
 }
 
+TEST_F(OscillatorSettles, OrGivesUpEarlyWithoutAChangeOfTheBodyAndSettlesWithPatience) {
+  oscillator.largest_safety = 0.45; // met after one retry
+  Settling settling = make();
+  try {
+    settling.run({0, true});
+    FAIL() << "a return was made";
+  } catch (const DivergenceError& error) {
+    EXPECT_EQ(std::string(error.what()).find("retries"), std::string::npos) << error.what();
+    EXPECT_EQ(std::string(error.what()).find("weight"), std::string::npos) << error.what();
+  }
+  EXPECT_EQ(oscillator.n_mended, 0u);
+  EXPECT_EQ(oscillator.strength, 0u);
+  EXPECT_EQ(oscillator.unloaded, Oscillator::x);
+  EXPECT_EQ(settling.caution().step_safety, parameters.step_safety);
+  const SettlingResult result = settling.run();
+  EXPECT_TRUE(result.converged) << result.explanation;
+  EXPECT_EQ(result.n_retries, 1u);
+}
+
 TEST_F(OscillatorSettles, WithTheSameLagIfItMendedItself) {
   oscillator.largest_safety = 0.45;
   oscillator.mends_itself = true;
