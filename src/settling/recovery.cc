@@ -73,8 +73,9 @@ std::string Settling::what_did_not_help(unsigned n_retries) const {
     return {};
   const std::string text = format(" and %u retries with ", n_retries);
   if (is_full_correction())
-    return text + "smaller steps and slower ramps did not help; the full correction flutters on "
-                  "soft bodies, so choose '" +
+    return text +
+           "smaller steps and slower ramps did not help; the full correction flutters on "
+           "soft bodies, so choose '" +
            description_.section + "/Correction scheme' = relaxed";
   return text + "longer lags, smaller steps and slower ramps did not help";
 }
