@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "expect_error.h"
+#include "prosup/core/log.h"
 #include "prosup/core/parameters.h"
 #include "prosup/registration/registration.h"
 #include "prosup/similarity/sum_of_squared_differences.h"
@@ -101,7 +102,7 @@ TEST(Registration, HandsOutBothMeshesOnTheFirstRank) {
   }
 }
 
-// 45 Pa is too soft for this mesh: no unloaded state is found until it is stiffened once.
+// 45 Pa is too soft for this mesh: it settles without a return only when it is stiffer.
 TEST(Registration, StartsStifferWhereTheGivenModulusHasNoUnloadedState) {
   const RegistrationParameters parameters;
   set_coarse({"Material/Shear modulus=45", "Material update/Method=search"});
@@ -110,9 +111,13 @@ TEST(Registration, StartsStifferWhereTheGivenModulusHasNoUnloadedState) {
   const auto unloaded = registration.unload();
   EXPECT_TRUE(unloaded.prone.converged && unloaded.supine.converged);
   ASSERT_EQ(unloaded.prone.remarks.size(), 1u);
-  EXPECT_NE(unloaded.prone.remarks[0].find("starts from 67.5 Pa"), std::string::npos)
+  EXPECT_EQ(unloaded.prone.n_retries + unloaded.supine.n_retries, 0u);
+  const double modulus = registration.result().properties.tissue.shear_modulus;
+  EXPECT_GE(modulus, 1.5 * 45.);
+  EXPECT_LE(modulus, 12. * 45.);
+  EXPECT_NE(unloaded.prone.remarks[0].find(format("starts from %.4g Pa", modulus)),
+            std::string::npos)
       << unloaded.prone.remarks[0];
-  EXPECT_DOUBLE_EQ(registration.result().properties.tissue.shear_modulus, 67.5);
 }
 
 TEST(Registration, KeepsTheGivenModulusWhereNoneIsSearched) {
