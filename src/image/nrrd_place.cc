@@ -56,7 +56,7 @@ double unit_in_mm(const NrrdHeader& header, const std::string& file) {
   if (units.empty() && text.empty())
     return 1.;
   if (units.empty())
-    units.push_back(text); // one word without quotes
+    units.push_back(text);                                     // one word without quotes
   const auto n_space = std::min<std::size_t>(units.size(), 3); // a fourth is that of time
   const auto found = known.find(units[0]);
   if (found == known.end() ||

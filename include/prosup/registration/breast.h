@@ -28,7 +28,8 @@ public:
   /// Goes on from the present state with other properties.
   virtual void set_properties(const MechanicalProperties& properties) = 0;
 
-  /// Removes gravity: simulates until settled. @throws DivergenceError if it does not settle; the last good state is restored.
+  /// Removes gravity: simulates until settled. @throws DivergenceError if it does not settle; the
+  /// last good state is restored.
   virtual settling::SettlingResult unload(const settling::Effort& effort = {}) = 0;
   /// Adds gravity: takes the shape that it was made with as the unloaded one. @throws as unload().
   virtual settling::SettlingResult load() = 0;

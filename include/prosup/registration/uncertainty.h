@@ -17,12 +17,12 @@ namespace prosup::registration {
 ///       + 1/3 [c D^2 exp(-2 d_c/l) + e max(D^2 - D0^2, 0) exp(-2 d_w/m)] I
 /// is the covariance of the distance between the unloaded positions that the two images give the
 /// same tissue. K is the stiffness of the unloaded breast whose supports give way, H that of the
-/// images, kappa = w mu/sigma^2. The first term is the posterior of the image forces. D, the distance
-/// by which the image forces had to move the breasts, tells how wrong the model is: theta grows with
-/// max(D^2 - D0^2, 0), beyond the motion D0 that is usual with a right model, and with the volume of
-/// a voxel. The second term leaves an error where tissue is cut off, at the distance d_c, and at the
-/// distance d_w from the chest wall, whose bed is what models get wrong. docs/uncertainty.md tells
-/// where the constants come from.
+/// images, kappa = w mu/sigma^2. The first term is the posterior of the image forces. D, the
+/// distance by which the image forces had to move the breasts, tells how wrong the model is: theta
+/// grows with max(D^2 - D0^2, 0), beyond the motion D0 that is usual with a right model, and with
+/// the volume of a voxel. The second term leaves an error where tissue is cut off, at the distance
+/// d_c, and at the distance d_w from the chest wall, whose bed is what models get wrong.
+/// docs/uncertainty.md tells where the constants come from.
 class UncertaintyParameters : public dealii::ParameterAcceptor {
 public:
   UncertaintyParameters();

@@ -84,7 +84,8 @@ public:
   /// As settling::Settling::set_keeper.
   void set_keeper(std::function<void(unsigned n_steps)> keeper);
 
-  /// Simulates until the tolerances are met. Recovers from divergence and stalls (docs/stability.md).
+  /// Simulates until the tolerances are met. Recovers from divergence and stalls
+  /// (docs/stability.md).
   /// @throws DivergenceError with a diagnosis if all retries are used up; the last good
   /// state is then restored.
   SettlingResult run(const settling::Effort& effort = {});
