@@ -25,9 +25,10 @@ bool is_on_side(const Point<3>& p, const TrunkAxis& axis, Side side) {
   return side == Side::both || (p[0] > axis.x) == (side == Side::left);
 }
 
-/// The box of the voxels of a breast; empty if there are none.
-VoxelBox tight_box(const LabelImage& front, const TrunkSurface& chest, Side side) {
-  VoxelBox box;
+/// Calls function(i, j, k, point) for the voxels of a breast.
+template <typename Function>
+void for_each_breast_voxel(const LabelImage& front, const TrunkSurface& chest, Side side,
+                           const Function& function) {
   const auto& size = front.grid.size;
   for (std::size_t k = 0; k < size[2]; ++k)
     for (std::size_t j = 0; j < size[1]; ++j)
@@ -35,10 +36,17 @@ VoxelBox tight_box(const LabelImage& front, const TrunkSurface& chest, Side side
         if (front(i, j, k) == 0)
           continue;
         const Point<3> p = front.grid.physical(double(i), double(j), double(k));
-        if (!is_on_side(p, chest.grid.axis, side) || !is_breast(p, chest))
-          continue;
-        box.include(i, j, k);
+        if (is_on_side(p, chest.grid.axis, side) && is_breast(p, chest))
+          function(i, j, k, p);
       }
+}
+
+/// The box of the voxels of a breast; empty if there are none.
+VoxelBox tight_box(const LabelImage& front, const TrunkSurface& chest, Side side) {
+  VoxelBox box;
+  for_each_breast_voxel(
+      front, chest, side,
+      [&](std::size_t i, std::size_t j, std::size_t k, const Point<3>&) { box.include(i, j, k); });
   return box;
 }
 
@@ -52,18 +60,12 @@ VoxelBox with_chest(const VoxelBox& tight, const VoxelGrid& grid, double margin)
 /// Sections of a breast with planes across an axis of the grid, in voxels.
 std::vector<std::size_t> sections(const LabelImage& front, const TrunkSurface& chest, Side side,
                                   unsigned axis) {
-  const auto& size = front.grid.size;
-  std::vector<std::size_t> n(size[axis], 0);
-  for (std::size_t k = 0; k < size[2]; ++k)
-    for (std::size_t j = 0; j < size[1]; ++j)
-      for (std::size_t i = 0; i < size[0]; ++i) {
-        if (front(i, j, k) == 0)
-          continue;
-        const Point<3> p = front.grid.physical(double(i), double(j), double(k));
-        if (is_on_side(p, chest.grid.axis, side) && is_breast(p, chest) &&
-            std::abs(chest.grid.axis.angle(p)) < widest_breast)
-          ++n[axis == 0 ? i : k];
-      }
+  std::vector<std::size_t> n(front.grid.size[axis], 0);
+  for_each_breast_voxel(front, chest, side,
+                        [&](std::size_t i, std::size_t, std::size_t k, const Point<3>& p) {
+                          if (std::abs(chest.grid.axis.angle(p)) < widest_breast)
+                            ++n[axis == 0 ? i : k];
+                        });
   return n;
 }
 

@@ -27,13 +27,11 @@ Settling::Settling(Simulation& simulation, const SettlingParameters& parameters,
 SettlingResult Settling::run(const Effort& effort) {
   const unsigned limit = parameters_.max_steps;
   gives_up_early_ = effort.gives_up_early;
-  max_retries_ = parameters_.max_retries;
   return simulate(effort.max_steps == 0 ? limit : std::min(effort.max_steps, limit), true);
 }
 
 SettlingResult Settling::advance(unsigned n_steps) {
   gives_up_early_ = false;
-  max_retries_ = parameters_.max_retries;
   return simulate(n_steps, false);
 }
 
