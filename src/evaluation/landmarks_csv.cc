@@ -50,10 +50,21 @@ void write_landmarks(const std::vector<MappedLandmark>& landmarks,
 std::vector<LandmarkError> read_errors(const std::filesystem::path& file) {
   const csv::Table table(read_file(file), file.string());
   const std::size_t id = table.id_column(), error = table.column("tre");
+  std::optional<PerPosition<csv::PointColumns>> unloaded;
+  if (table.find("unloaded_from_prone_x")) {
+    Remarks none;
+    unloaded = {table.point_columns("unloaded_from_prone_", none),
+                table.point_columns("unloaded_from_supine_", none)};
+  }
   std::vector<LandmarkError> errors;
-  for (std::size_t row = 0; row < table.n_rows(); ++row)
+  for (std::size_t row = 0; row < table.n_rows(); ++row) {
     errors.push_back({table.text(row, id),
-                      csv::parse_number(table.text(row, error), table.where(row), "tre_mm")});
+                      csv::parse_number(table.text(row, error), table.where(row), "tre_mm"),
+                      {}});
+    if (unloaded)
+      errors.back().unloaded = {table.point(row, unloaded->prone),
+                                table.point(row, unloaded->supine)};
+  }
   return errors;
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* style = R"(
 :root { color-scheme: light; --ink: #1c2430; --line: #d5dae1; --soft: #f4f6f8; }
-body { font: 15px/1.45 system-ui, "Segoe UI", Helvetica, Arial, sans-serif; color: var(--ink);
+:root { font-size: 15px; } body { font: 1rem/1.45 system-ui, "Segoe UI", Helvetica, Arial, sans-serif; color: var(--ink);
   max-width: 1180px; margin: 0 auto; padding: 1.2rem; background: #fff; }
 h1 { font-size: 1.5rem; margin: 0 0 .6rem; } h2 { font-size: 1.15rem; margin: 1.8rem 0 .5rem;
   border-bottom: 1px solid var(--line); } h3 { font-size: 1rem; margin: .8rem 0 .3rem; }
@@ -22,25 +22,29 @@ table.numbers td:not(:first-child), table.numbers th:not(:first-child) { text-al
   font-variant-numeric: tabular-nums; }
 .verdict { padding: .7rem 1rem; border-left: 8px solid #888; background: var(--soft); }
 .good { border-color: #1b7837; } .doubtful { border-color: #e08214; } .failed { border-color: #b2182b; }
-.verdict p { margin: 0; font-weight: 600; } .verdict ul { margin: .4rem 0 0; }
+.verdict p { margin: 0; } .verdict ul { margin: .4rem 0; }
 figure { margin: .8rem 0; break-inside: avoid; } figcaption { color: #4a5563; font-size: .92rem; }
 img, svg { max-width: 100%; height: auto; }
-.viewers { display: grid; grid-template-columns: repeat(auto-fit, minmax(320px, 1fr)); gap: 1rem; }
+.viewers { display: flex; flex-wrap: wrap; gap: 0 1rem; align-items: flex-start; }
+.viewers figure { flex-basis: 0; min-width: 190px; } .viewers img, .viewers svg { width: 100%; }
 .stack { position: relative; background: #000; cursor: ew-resize; touch-action: none; line-height: 0; }
-.stack img { width: 100%; } .stack .over { position: absolute; inset: 0; display: none;
+.stack .over { position: absolute; inset: 0; display: none;
   clip-path: inset(0 calc(100% - var(--cut, 50%)) 0 0); }
 .stack .over.shown { display: block; }
 .stack::after { content: ""; position: absolute; top: 0; bottom: 0; left: var(--cut, 50%);
   width: 1px; background: #ffd640; pointer-events: none; }
-.viewer input { width: 100%; margin: .3rem 0 0; } code { background: var(--soft); padding: 0 .2rem; }
-@media print { body { max-width: none; padding: 0; font-size: 11px; } .controls, .viewer input {
-  display: none; } .viewers { grid-template-columns: repeat(3, 1fr); } h2 { break-after: avoid; } }
+.slider { width: 100%; margin: .3rem 0 0; } code { background: var(--soft); padding: 0 .2rem; }
+@media print { :root { font-size: 11px; } body { max-width: none; padding: 0; }
+  .slider, .screen, .controls input, .controls label:has(:not(:checked)) { display: none; }
+  .viewers { flex-wrap: nowrap; break-inside: avoid; } .viewers figure { min-width: 0; }
+  .wide img { max-height: 105mm; } table, svg, tr { break-inside: avoid; }
+  .controls { break-inside: avoid; } .scale { display: block; } h2, h3, h2 + p, h3 + p, .scale, .controls { break-after: avoid; } * { print-color-adjust: exact; } }
 )";
 
 // A slider is moved by keys, by its thumb, or by dragging the picture.
 constexpr const char* script = R"(
-document.querySelectorAll('.viewer').forEach(function (viewer) {
-  var stack = viewer.querySelector('.stack'), slider = viewer.querySelector('input');
+document.querySelectorAll('.stack').forEach(function (stack) {
+  var slider = stack.parentNode.querySelector('.slider');
   function cut() { stack.style.setProperty('--cut', slider.value + '%'); }
   function follow(event) {
     var box = stack.getBoundingClientRect();
@@ -138,6 +142,13 @@ std::string table_of_html(const std::vector<std::string>& headings,
   for (const auto& row : rows)
     text += cells_of_html("td", row);
   return text + "</table>\n";
+}
+
+std::string figure(const std::string& name, double width_mm, const std::string& contents) {
+  std::string caption = escaped(name);
+  caption[0] = static_cast<char>(caption[0] - 'a' + 'A');
+  return format("<figure style=\"flex-grow: %.0f\">", width_mm) + contents + "<figcaption>" +
+         caption + format(", %.0f mm wide</figcaption></figure>\n", width_mm);
 }
 
 std::string link(const std::filesystem::path& file, const std::string& words) {

@@ -29,6 +29,10 @@ std::string table(const std::vector<std::string>& headings,
 std::string table_of_html(const std::vector<std::string>& headings,
                           const std::vector<std::vector<std::string>>& rows);
 
+/// One of several pictures beside each other, such as the "axial" one, which share their scale: its
+/// part of the width is that of its `width_mm`.
+std::string figure(const std::string& name, double width_mm, const std::string& contents);
+
 /// Words that lead to a file, which is given as seen from the folder of the page.
 std::string link(const std::filesystem::path& file, const std::string& words);
 

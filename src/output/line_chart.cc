@@ -65,7 +65,7 @@ std::string names_of(const Axes& axes, const Chart& chart) {
 }
 
 std::string labels_of(const Axes& axes, const Chart& chart) {
-  PointLabels labels(axes.right());
+  PointLabels labels(Axes::left, axes.right());
   for (const Series& series : chart.series)
     for (const auto& [x, y] : series.points)
       if (series.style == Style::markers && y > 0.)
@@ -100,10 +100,9 @@ std::string svg_of(const std::vector<Chart>& charts, const std::string& title,
   const Range x = x_range(charts, x_scale);
   const Layout layout = layout_of(charts);
   const int height = top + static_cast<int>(charts.size()) * (layout.height + gap) + 20;
-  std::string picture = format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" "
-                               "height=\"%d\" font-family=\"sans-serif\" font-size=\"12\">\n"
-                               "<rect width=\"100%%\" height=\"100%%\" fill=\"white\"/>\n",
-                               Axes::left + layout.width + layout.right, height) +
+  std::string picture = svg::start(Axes::left + layout.width + layout.right, height,
+                                   " font-family=\"sans-serif\" font-size=\"12\"") +
+                        "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n" +
                         svg::text(Axes::left, 28, "start", title, " font-size=\"15\"");
   int upper = top;
   for (std::size_t i = 0; i < charts.size(); ++i, upper += layout.height + gap) {

@@ -14,9 +14,7 @@ constexpr Colour black{0, 0, 0}, white{255, 255, 255}, outline_yellow{255, 214, 
 
 OutlinedSlice::OutlinedSlice(const Orientation& orientation, const SliceBox& box,
                              const image::LabelImage& mask, int width)
-    : orientation_(orientation),
-      plane_(orientation, box,
-             width / (box.high[orientation.across] - box.low[orientation.across])) {
+    : orientation_(orientation), plane_(orientation, box, common_scale(box, width)) {
   const auto in_mask = voxels_with(mask, 1);
   const int n_columns = plane_.width(), n_rows = plane_.height();
   is_breast_.resize(std::size_t(n_columns) * std::size_t(n_rows));
@@ -28,12 +26,6 @@ OutlinedSlice::OutlinedSlice(const Orientation& orientation, const SliceBox& box
     for (int column = 0; column + 1 < n_columns; ++column)
       is_outline_[pixel(column, row)] = is_breast(column, row) != is_breast(column + 1, row) ||
                                         is_breast(column, row) != is_breast(column, row + 1);
-}
-
-std::string OutlinedSlice::name() const {
-  std::string name = orientation_.name;
-  name[0] = static_cast<char>(name[0] - 'a' + 'A');
-  return name;
 }
 
 std::string OutlinedSlice::picture(const std::function<Colour(int, int)>& colour) const {

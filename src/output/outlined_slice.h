@@ -17,14 +17,14 @@ constexpr Colour no_data_colour{52, 52, 52};
 /// patient's directions. Keeps a reference to the orientation.
 class OutlinedSlice {
 public:
-  /// `mask` is not zero in the breast; `width` is that of the pictures, in pixels.
+  /// `mask` is not zero in the breast; `width` is that of the widest of the three, in pixels, which
+  /// all have one scale.
   OutlinedSlice(const Orientation& orientation, const SliceBox& box, const image::LabelImage& mask,
                 int width);
 
   const SlicePlane& plane() const { return plane_; }
 
-  /// Its name in capitals, such as "Axial".
-  std::string name() const;
+  const Orientation& orientation() const { return orientation_; }
 
   /// The place of a pixel in lists that go row by row.
   std::size_t pixel(int column, int row) const {

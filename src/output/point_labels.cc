@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "chart_axes.h"
 #include "svg.h"
 
 namespace prosup::output {
@@ -18,7 +17,7 @@ void PointLabels::occupy(double x, double y, double radius) {
 }
 
 bool PointLabels::is_free(const Box& box) const {
-  return box.left >= Axes::left && box.right <= right_ &&
+  return box.left >= left_ && box.right <= right_ &&
          std::none_of(taken_.begin(), taken_.end(), [&](const Box& other) {
            return box.left < other.right && other.left < box.right && box.upper < other.lower &&
                   other.upper < box.lower;

@@ -9,8 +9,8 @@ namespace prosup::output {
 /// Writes names beside points of a picture where they cover nothing.
 class PointLabels {
 public:
-  /// Labels stay left of `right` (pixels).
-  explicit PointLabels(double right) : right_(right) {}
+  /// Labels stay between `left` and `right` (pixels).
+  PointLabels(double left, double right) : left_(left), right_(right) {}
 
   /// A sign that no label may cover.
   void occupy(double x, double y, double radius);
@@ -25,7 +25,7 @@ private:
   };
   bool is_free(const Box& box) const;
 
-  double right_;
+  double left_, right_;
   std::vector<Box> taken_;
 };
 

@@ -6,14 +6,17 @@
 
 #include "html.h"
 #include "prosup/core/log.h"
+#include "prosup/core/text.h"
 #include "prosup/core/text_file.h"
 #include "prosup/image/image_io.h"
 #include "prosup/output/pictures.h"
 #include "prosup/output/registration_file.h"
 #include "report_charts.h"
 #include "report_deformation.h"
+#include "report_landmarks.h"
 #include "report_parameters.h"
 #include "report_slices.h"
+#include "report_verdict.h"
 #include "summary_json.h"
 
 namespace prosup::output {
@@ -26,19 +29,6 @@ namespace {
 std::string contents(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   return std::string(std::istreambuf_iterator<char>(stream), {});
-}
-
-std::string verdict(const Json& summary) {
-  const std::string grade = summary["quality"].value("verdict", "unknown");
-  std::string text = "<div class=\"verdict " + html::escaped(grade) +
-                     "\">\n<p>Verdict: " + html::escaped(grade) + "</p>\n";
-  if (const Json reasons = summary["quality"].value("reasons", Json::array()); !reasons.empty()) {
-    text += "<ul>\n";
-    for (const Json& reason : reasons)
-      text += "<li>" + html::escaped(reason.get<std::string>()) + "</li>\n";
-    text += "</ul>\n";
-  }
-  return text + "</div>\n";
 }
 
 /// On which side of the middle of its image the breast lies; LPS grows to the left.
@@ -56,12 +46,18 @@ ReportRow side(const ReportImages& images) {
                                  std::abs(offset), offset > 0. ? "left" : "right")};
 }
 
+std::string unit_of(const std::string& entry) {
+  return ends_with(entry, "gravity")  ? " (direction, LPS)"
+         : ends_with(entry, "offset") ? " mm"
+                                      : "";
+}
+
 std::string what_was_done(const Json& summary, const std::vector<UsedParameter>& used,
                           const std::optional<ReportImages>& images) {
   std::vector<ReportRow> rows{{"Program", "prosup " + summary.value("version", ""), ""}};
   for (const UsedParameter& parameter : used)
     if (parameter.section == "Case" && !parameter.value.empty() && parameter.entry != "State")
-      rows.push_back({parameter.entry, parameter.value, ""});
+      rows.push_back({parameter.entry, parameter.value + unit_of(parameter.entry), ""});
   if (images)
     rows.push_back(side(*images));
   if (const auto found = summary.find("alignment"); found != summary.end())
@@ -90,7 +86,7 @@ std::string slices(const fs::path& result, const std::optional<ReportImages>& im
   for (const char* plane : {"axial", "sagittal", "coronal"}) {
     const fs::path file = result / (std::string("slices_") + plane + ".png");
     if (fs::exists(file))
-      text += std::string("<figure><img alt=\"") + plane +
+      text += std::string("<figure class=\"wide\"><img alt=\"") + plane +
               " slices of both images and their difference, before and after\" src=\"" +
               html::data_uri(contents(file), "image/png") +
               "\"><figcaption>Above as scanned, below "
@@ -125,6 +121,7 @@ std::string landmarks(const Json& summary, const fs::path& result) {
     return "<p>No landmarks were given.</p>\n";
   return "<p>Target registration error, mm. The registration does not know the landmarks.</p>\n" +
          html::table({"", "mean", "std", "95th percentile", "max", "landmarks"}, rows) +
+         landmark_vectors(result / "landmarks.csv", result / registration_h5) +
          error_histogram(result / "landmarks.csv");
 }
 
@@ -177,7 +174,7 @@ void write_report(const fs::path& result, const std::vector<ReportRow>& properti
   const Json summary = read_summary(result);
   const std::vector<UsedParameter> used = read_used_parameters(result);
   std::string page = html::page_start("Prone-to-supine breast registration");
-  page += verdict(summary);
+  page += report_verdict(summary);
   if (!summary.value("warnings", Json::array()).empty())
     page += html::section("Warnings", warnings(summary));
   page += html::section("What was done", what_was_done(summary, used, images));

@@ -27,11 +27,9 @@ std::string bars(const std::vector<unsigned>& counts, double width_mm) {
   constexpr double left = 50., bottom = 180., height = 150., bar = 34.;
   const unsigned most = *std::max_element(counts.begin(), counts.end());
   const double right = left + bar * double(counts.size());
-  std::string svg =
-      format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.0f\" height=\"230\" "
-             "viewBox=\"0 0 %.0f 230\" font-family=\"sans-serif\" font-size=\"11\" "
-             "role=\"img\" aria-label=\"histogram of the errors\">\n",
-             right + 30., right + 30.);
+  std::string svg = svg::start(int(right) + 30, 230,
+                               " font-family=\"sans-serif\" font-size=\"11\" role=\"img\" "
+                               "aria-label=\"histogram of the errors\"");
   for (std::size_t i = 0; i < counts.size(); ++i) {
     const double h = height * double(counts[i]) / double(most), x = left + bar * double(i);
     svg += format("<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" fill=\"%s\"/>\n",
@@ -58,7 +56,8 @@ std::string similarity_chart(const nlohmann::json& entries) {
     const double value = entry.value("value", 0.);
     const std::string name = (stage == "material" ? "properties, " : "forces, ") +
                              format("%g mm", entry.value("level_mm", 0.));
-    if (name != last_name) {
+    const bool begins = name != last_name;
+    if (begins) {
       chart.series.push_back({name, stage == "material" ? green : blue, {}});
       chart.series.back().marker = unsigned(chart.series.size());
       first = value;
@@ -67,13 +66,15 @@ std::string similarity_chart(const nlohmann::json& entries) {
     }
     if (first > 0.)
       reached = level_start * value / first;
-    chart.series.back().points.emplace_back(++count, reached);
+    // A level begins with the state in which the one before has ended.
+    if (!begins || chart.series.size() == 1)
+      count += 1.;
+    chart.series.back().points.emplace_back(count, reached);
   }
   if (chart.series.empty())
     return "<p>The images were not compared.</p>\n";
   return "<p>Each level goes on where the one before has ended, since values are comparable within "
-         "a "
-         "level only. Lower is more alike.</p>\n" +
+         "a level only. Lower is more alike.</p>\n" +
          inlined(svg_of({chart}, "Gain along the registration", "accepted state"));
 }
 

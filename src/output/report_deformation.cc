@@ -113,10 +113,10 @@ struct ColourScale {
 
   std::string svg(const std::string& name) const {
     constexpr double width = 400., left = 30., bar = 14.;
-    std::string text = format("<svg role=\"img\" aria-label=\"%s\" width=\"%.0f\" height=\"36\" "
-                              "viewBox=\"0 0 %.0f 36\" font-size=\"12\" fill=\"#1c2430\" "
-                              "xmlns=\"http://www.w3.org/2000/svg\">\n",
-                              html::escaped(name).c_str(), width + 2. * left, width + 2. * left);
+    std::string text = svg::start(int(width + 2. * left), 36,
+                                  " class=\"scale\" font-size=\"12\" fill=\"#1c2430\" role=\"img\" "
+                                  "aria-label=\"" +
+                                      html::escaped(name) + "\"");
     const double step = width / (n_colours + 1.);
     for (double i = 0.; i <= n_colours; ++i) {
       const Colour c = colour_at(i / n_colours);
@@ -164,16 +164,18 @@ std::string row_of(const std::vector<DeformedSlice>& slices, const std::string& 
                    const std::string& caption, const ColourScale& scale, bool with_grid, Get get) {
   std::string text = "<h3>" + html::escaped(title) + "</h3>\n<p>" + html::escaped(caption) +
                      "</p>\n" + scale.svg(title) + "<div class=\"viewers\">\n";
-  for (const DeformedSlice& slice : slices)
-    text +=
-        "<figure><img alt=\"" + slice.slice.name() + " slice: " + html::escaped(title) +
-        "\" src=\"" + slice.slice.picture([&](int column, int row) {
-          const Tissue& tissue = slice.tissue[slice.slice.pixel(column, row)];
-          if (!tissue.is_inside)
-            return no_data_colour;
-          return with_grid && slice.is_line(column, row) ? line_colour : scale.colour(get(tissue));
-        }) +
-        "\"><figcaption>" + slice.slice.name() + "</figcaption></figure>\n";
+  for (const DeformedSlice& slice : slices) {
+    const std::string plane = slice.orientation->name;
+    const std::string picture = slice.slice.picture([&](int column, int row) {
+      const Tissue& tissue = slice.tissue[slice.slice.pixel(column, row)];
+      if (!tissue.is_inside)
+        return no_data_colour;
+      return with_grid && slice.is_line(column, row) ? line_colour : scale.colour(get(tissue));
+    });
+    text += html::figure(plane, slice.slice.plane().width_mm(),
+                         "<img alt=\"" + plane + " slice: " + html::escaped(title) + "\" src=\"" +
+                             picture + "\">");
+  }
   return text + "</div>\n";
 }
 

@@ -38,17 +38,19 @@ std::string image_tag(const std::string& attributes, const std::string& source,
 }
 
 /// The slider of one plane.
-std::string viewer(const std::string& plane, const std::string& supine,
+std::string viewer(const OutlinedSlice& slice, const std::string& supine,
                    const std::vector<std::string>& over) {
-  std::string text = "<figure class=\"viewer\"><div class=\"stack\">\n" +
+  const std::string plane = slice.orientation().name;
+  std::string text = "<div class=\"stack\">\n" +
                      image_tag("draggable=\"false\"", supine, plane + " slice of the supine image");
   for (std::size_t i = 0; i < over.size(); ++i)
     text += image_tag(std::string("draggable=\"false\" class=\"over") + (i == 0 ? " shown" : "") +
                           "\" data-kind=\"" + kinds[i].name + "\"",
                       over[i], plane + " slice: " + kinds[i].text);
-  return text + "</div>\n<input type=\"range\" min=\"0\" max=\"100\" value=\"50\" aria-label=\"" +
-         plane + " slice: part of the width that shows the prone image\">\n<figcaption>" + plane +
-         "</figcaption></figure>\n";
+  text += "</div>\n<input type=\"range\" class=\"slider\" min=\"0\" max=\"100\" value=\"50\" "
+          "aria-label=\"" +
+          plane + " slice: part of the width that shows the prone image\">\n";
+  return html::figure(plane, slice.plane().width_mm(), text);
 }
 
 std::string choice() {
@@ -56,7 +58,8 @@ std::string choice() {
   for (const Kind& kind : kinds)
     text += std::string("<label><input type=\"radio\" name=\"over\" value=\"") + kind.name + "\"" +
             (&kind == kinds ? " checked" : "") + "> " + kind.text + "</label> ";
-  return text + "<br>Right of it: supine. Drag the line, or move it with the arrow keys.</p>\n";
+  return text + "<br>Right of it: supine. <span class=\"screen\">Drag the line, or "
+                "move it with the arrow keys.</span></p>\n";
 }
 
 } // namespace
@@ -80,7 +83,7 @@ std::string report_slices(const ReportImages& images, const image::ScalarImage& 
     };
     const auto of_supine = values(supine), of_carried = values(carried),
                of_scanned = values(scanned);
-    text += viewer(slice.name(), picture(slice, of_supine, of_supine),
+    text += viewer(slice, picture(slice, of_supine, of_supine),
                    {picture(slice, of_carried, of_carried), picture(slice, of_scanned, of_scanned),
                     picture(slice, of_carried, of_supine)});
   }

@@ -58,6 +58,13 @@ Point<3> SlicePlane::position(int column, int row) const {
   return p;
 }
 
+double common_scale(const SliceBox& box, int width) {
+  double widest = 0.;
+  for (const Orientation& orientation : orientations())
+    widest = std::max(widest, box.high[orientation.across] - box.low[orientation.across]);
+  return width / widest;
+}
+
 std::vector<float> sample(const Panel& panel, const SlicePlane& plane) {
   const WindowedSampler shown(panel.shown);
   const WindowedSampler subtract(panel.subtract.value_or(panel.shown));

@@ -22,6 +22,7 @@ public:
   SlicePlane(const Orientation& orientation, const SliceBox& box, double pixels_per_mm);
 
   int width() const { return width_; }
+  double width_mm() const { return width_ * mm_per_pixel_; }
   int height() const { return height_; }
 
   /// Physical position of the middle of a pixel.
@@ -33,6 +34,9 @@ private:
   double mm_per_pixel_;
   int width_, height_;
 };
+
+/// Pixels per mm with which the widest slice through a box has this width, in pixels.
+double common_scale(const SliceBox& box, int width);
 
 /// Intensities of a panel on a plane, row by row: 0 (black) to 1 (white), or -1
 /// to 1 for a difference; no number outside the field of view.

@@ -16,6 +16,13 @@ inline std::string escaped(const std::string& words) {
   return result;
 }
 
+/// The element that holds all others; `more` are attributes. It can be shown smaller.
+inline std::string start(int width, int height, const std::string& more) {
+  return format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" "
+                "viewBox=\"0 0 %d %d\"%s>\n",
+                width, height, width, height, more.c_str());
+}
+
 inline std::string text(double x, double y, const char* anchor, const std::string& words,
                         const std::string& more = "") {
   return format("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\"%s>%s</text>\n", x, y, anchor,

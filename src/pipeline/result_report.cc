@@ -1,6 +1,7 @@
 #include "result_report.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -15,7 +16,8 @@ using output::ReportRow;
 namespace {
 
 std::string with_unit(double value, const char* unit) {
-  return format("%.4g %s", value, unit);
+  // As people write it: 100000 Pa, not 1e+05 Pa.
+  return format(std::abs(value) < 1e4 ? "%.4g %s" : "%.0f %s", value, unit);
 }
 
 std::vector<ReportRow> property_rows(const Json& material) {

@@ -2,9 +2,11 @@
 #define PROSUP_EVALUATION_LANDMARKS_CSV_H
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "prosup/core/position.h"
 #include "prosup/evaluation/target_registration_error.h"
 
 namespace prosup::evaluation {
@@ -20,9 +22,10 @@ void write_landmarks(const std::vector<MappedLandmark>& landmarks,
 struct LandmarkError {
   std::string id;
   double error;
+  std::optional<PerPosition<Point<3>>> unloaded; ///< from both images, if the file has it; LPS mm
 };
 
-/// The errors (tre_mm) in a file of the function above.
+/// The errors (tre_mm) in a file of the function above, and where they are.
 /// @throws Error if it cannot be read or has no such column.
 std::vector<LandmarkError> read_errors(const std::filesystem::path& file);
 

@@ -24,7 +24,9 @@ using namespace prosup::output;
 
 const char* const summary = R"({"version": "7.8.9", "command": "register", "ranks": 2,
   "metric": "lncc", "peak_memory": 512.0,
-  "quality": {"verdict": "doubtful", "reasons": ["The <skin> is 5 mm apart & so on."]},
+  "quality": {"verdict": "doubtful", "reasons": ["The <skin> is 5 mm apart & so on."],
+  "unloaded": {"breast_dice": 0.5, "gland_dice": 0.5, "volume_ratio": 2},
+  "image_forces": {"breast_dice": 0.975, "gland_dice": 0.81, "volume_ratio": 1.01}},
   "warnings": ["Something was assumed."],
   "tre": {"initial": {"mean": 10.5, "std": 1, "p95": 12, "max": 20, "n": 2},
           "image_forces": {"mean": 0.75, "std": 0.5, "p95": 1, "max": 1.25, "n": 2}},
@@ -128,7 +130,9 @@ TEST_F(Report, SaysWhatWasFound) {
        {"The &lt;skin&gt; is 5 mm apart &amp; so on.", "Something was assumed.", "prosup 7.8.9",
         "/data/prone.nii.gz", "0, -1, 0", "0.75", "1.25", "worst", "300 Pa",
         "searched from 10 to 1000 Pa", "Image forces/Accumulated/Ramp", "default: 3", "prosup warp",
-        "to the left of the middle", "512 MiB"})
+        "to the left of the middle", "512 MiB", "look at the reasons and the pictures before",
+        "The outlines overlap by 97.5 %, the glands by 81 %", "0.75 mm apart on average",
+        "0, -1, 0 (direction, LPS)"})
     EXPECT_NE(html.find(part), std::string::npos) << part;
   EXPECT_EQ(html.find("Accumulated/Other"), std::string::npos); // as by default
 }
@@ -148,6 +152,37 @@ TEST_F(Report, ShowsTheDeformation) {
             std::string::npos);
   EXPECT_NE(html.find("aria-label=\"Displacement from prone to supine relative to the chest, mm"),
             std::string::npos);
+}
+
+// The dot is where the supine image has the landmark; 10 mm of the box are 30 pixels, and the error
+// of 0.5 mm is drawn 20 times as long.
+TEST_F(Report, ShowsErrorsAsVectors) {
+  const mesh::TetMesh box = box_of_tets({52., 15., 10.}, {72., 45., 30.}, 2);
+  const AffineMap to_prone = stretch_and_shear(), to_supine = other_stretch_and_shear();
+  write_registration({affine_mesh(box, to_prone), affine_mesh(box, to_supine)}, {}, folder_ / "");
+  text_file(folder_ / "landmarks.csv",
+            "id,unloaded_from_prone_x,unloaded_from_prone_y,unloaded_from_prone_z,"
+            "unloaded_from_supine_x,unloaded_from_supine_y,unloaded_from_supine_z,tre_mm\n"
+            "clip,60.3,25.4,20,60,25,20,0.5\n");
+  const std::string html = page(shown_);
+  EXPECT_NE(html.find("drawn 20 times as long"), std::string::npos);
+  for (const char* plane : {"axial", "sagittal", "coronal"}) {
+    const auto views =
+        between(html, std::string("aria-label=\"") + plane + " view of the errors", "</svg>");
+    ASSERT_EQ(views.size(), 1u);
+    EXPECT_NE(views[0].find(">clip</text>"), std::string::npos);
+  }
+  EXPECT_NE(html.find("x1=\"46.0\" y1=\"52.0\" x2=\"64.0\" y2=\"76.0\""), std::string::npos);
+}
+
+// Where one level ends the next begins, although its values are others: 200, 100 and 400, 200 are
+// one halved twice.
+TEST_F(Report, SimilarityIsOneCurve) {
+  const auto curves = between(page({}), "<polyline", ">");
+  ASSERT_EQ(curves.size(), 2u);
+  const auto points = between(curves[0] + curves[1], "points=\"", " \"");
+  ASSERT_EQ(points.size(), 2u);
+  EXPECT_EQ(points[0].substr(points[0].find(' ') + 1), points[1].substr(0, points[1].find(' ')));
 }
 
 // Sliders work by keys because they are the browser's own, and have names for those who hear them.
