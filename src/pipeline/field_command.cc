@@ -4,7 +4,6 @@
 #include "prosup/core/text.h"
 #include "prosup/image/image_files.h"
 #include "prosup/image/image_io.h"
-#include "prosup/image/warp.h"
 #include "prosup/output/transform_file.h"
 #include "prosup/pipeline/commands.h"
 #include "result_fields.h"
@@ -25,11 +24,9 @@ std::string ending_of(const std::filesystem::path& file) {
 
 image::VectorImage field(const FieldRequest& request, Remarks& remarks) {
   const ResultFields fields(request.result);
-  image::VectorImage field = fields.field(request.from, request.to);
   if (request.like.empty())
-    return field;
-  return image::resampled(field, image::read_image(request.like, remarks).grid,
-                          fields.chest_motion(request.from, request.to));
+    return fields.field(request.from, request.to);
+  return fields.field_on(image::read_image(request.like, remarks).grid, request.from, request.to);
 }
 
 } // namespace

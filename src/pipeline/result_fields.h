@@ -21,6 +21,11 @@ public:
   /// @throws Error if a file is missing or damaged.
   image::VectorImage field(const std::string& from, const std::string& to) const;
 
+  /// The same on another grid of the space of `from`: in the mesh as `prosup map` has it, elsewhere
+  /// interpolated, and beyond the grid of `from` as the chest moves.
+  image::VectorImage field_on(const image::VoxelGrid& grid, const std::string& from,
+                              const std::string& to) const;
+
   /// The motion of the chest between two states.
   image::RigidTransform chest_motion(const std::string& from, const std::string& to) const;
 

@@ -79,10 +79,10 @@ void warp_image(const WarpRequest& request, const std::filesystem::path& output,
   const ScalarImage input = image::read_image(request.input, remarks);
   const bool marks_regions = request.labels || image::marks_regions(input);
   const Interpolation how = interpolation(request, marks_regions, remarks);
-  image::VectorImage back = fields.field(request.to, request.from);
-  if (!request.like.empty())
-    back = image::resampled(back, image::read_image(request.like, remarks).grid,
-                            fields.chest_motion(request.to, request.from));
+  const image::VectorImage back =
+      request.like.empty() ? fields.field(request.to, request.from)
+                           : fields.field_on(image::read_image(request.like, remarks).grid,
+                                             request.to, request.from);
   const bool are_labels = how == Interpolation::nearest && marks_regions;
   // What was not imaged is air.
   const float outside =

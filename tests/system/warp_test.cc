@@ -3,12 +3,14 @@
 #include "prosup/evaluation/landmarks.h"
 #include "prosup/evaluation/points.h"
 #include "prosup/image/image_io.h"
+#include "prosup/output/displacement_fields.h"
 #include "small_registration.h"
 
 namespace prosup::tests {
 namespace {
 
 using dealii::Point;
+using dealii::Tensor;
 
 const std::filesystem::path& registered() {
   return SmallRegistration::on_ranks(1).folder;
@@ -143,6 +145,61 @@ TEST(Field, IsGivenToOtherPrograms) {
   field("prone", "same.h5", "both 'prone'");
   field("supine", "field.nii.gz", "field.nii.gz");
   EXPECT_FALSE(std::filesystem::exists(folder / "field.nii.gz"));
+}
+
+// On an oblique grid of other voxels the field is in the mesh that of `map` at the voxels.
+TEST(Field, OnAnotherGridIsThatOfMap) {
+  const TemporaryFolder folder;
+  image::LabelImage valid = image::read_labels(registered() / "valid_prone.nii.gz");
+  image::ScalarImage oblique{image::VoxelGrid(valid.grid)};
+  image::VoxelGrid& grid = oblique.grid;
+  const double c = std::cos(0.3), s = std::sin(0.3);
+  grid.direction = Tensor<2, 3>({{c, -s, 0.}, {s, c, 0.}, {0., 0., 1.}});
+  grid.spacing = Tensor<1, 3>({3.1, 4.3, 5.7});
+  grid.size = {30, 20, 20};
+  const Point<3> middle =
+      valid.grid.physical(0.5 * double(valid.grid.size[0]), 0.5 * double(valid.grid.size[1]),
+                          0.5 * double(valid.grid.size[2]));
+  grid.origin += middle - grid.physical(15., 10., 10.);
+  oblique = image::ScalarImage(grid);
+  image::write_image(oblique, folder / "like.mha");
+  ProgramRun run =
+      run_prosup({"field", "--result", registered(), "--from", "prone", "--to", "supine", "--like",
+                  folder / "like.mha", "-o", folder / "field.mha"});
+  ASSERT_EQ(run.exit_code, 0) << run.transcript();
+  const auto field = image::read_displacement(folder / "field.mha");
+
+  // Voxels all of whose surroundings of 4 mm are in the breast.
+  const auto in_breast = [&, sampler = output::voxels_with(valid, 1)](const Point<3>& x) {
+    for (unsigned d = 0; d < 3; ++d)
+      for (const double step : {-4., 4.}) {
+        Point<3> beside = x;
+        beside[d] += step;
+        if (!sampler(beside))
+          return false;
+      }
+    return true;
+  };
+  std::vector<evaluation::NamedPoint> points, expected;
+  for (std::size_t k = 0; k < grid.size[2]; ++k)
+    for (std::size_t j = 0; j < grid.size[1]; ++j)
+      for (std::size_t i = 0; i < grid.size[0]; ++i) {
+        const Point<3> x = field.grid.physical(double(i), double(j), double(k));
+        if (!in_breast(x))
+          continue;
+        const std::string name = std::to_string(points.size());
+        const auto& u = field(i, j, k);
+        points.push_back({name, x});
+        expected.push_back({name, x + Tensor<1, 3>({u[0], u[1], u[2]})});
+      }
+  ASSERT_GT(points.size(), 200u);
+  evaluation::write_points(points, folder / "in.csv");
+  run = run_prosup({"map", "--result", registered(), "--from", "prone", "--to", "supine",
+                    folder / "in.csv", "-o", folder / "out.csv"});
+  ASSERT_EQ(run.exit_code, 0) << run.transcript();
+  const auto mapped = evaluation::read_points(folder / "out.csv");
+  for (std::size_t n = 0; n < mapped.size(); ++n)
+    ASSERT_LT(mapped[n].position.distance(expected[n].position), 5e-3) << n; // mm
 }
 
 TEST(Warp, WrongUseIsRefused) {
