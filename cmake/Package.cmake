@@ -1,6 +1,14 @@
 # cpack: a Debian package for the release on which it is made.
 set(CPACK_GENERATOR DEB)
-set(CPACK_PACKAGE_CONTACT "The prosup developers <${PROJECT_NAME}@localhost>")
+# There is no address that is right for all who build packages; the default is the administrator of the
+# machine on which one is installed.
+set(PROSUP_MAINTAINER "The administrator <root@localhost>" CACHE STRING
+  "Who looks after the Debian package: Name <address>")
+if(NOT PROSUP_MAINTAINER MATCHES "^[^<>@]+ <[^<>@ ]+@[^<>@ ]+>$")
+  message(FATAL_ERROR "PROSUP_MAINTAINER is '${PROSUP_MAINTAINER}', which is no maintainer of a Debian "
+    "package; write a name and an address, such as 'Maria Berg <maria@localhost>'.")
+endif()
+set(CPACK_PACKAGE_CONTACT "${PROSUP_MAINTAINER}")
 set(CPACK_PACKAGE_DESCRIPTION
 "Finds a point of the prone breast image in the supine one: both breasts are
 meshed, unloaded from gravity and brought together by explicit finite elements.
