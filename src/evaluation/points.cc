@@ -46,14 +46,17 @@ bool all_have(const std::vector<NamedPoint>& points, std::optional<Value> NamedP
 }
 
 std::string csv_text(const std::vector<NamedPoint>& points) {
-  const bool has_errors = all_have(points, &NamedPoint::error),
+  const bool has_errors = std::any_of(points.begin(), points.end(),
+                                      [](const NamedPoint&p) { return p.error.has_value(); }),
              has_figures = all_have(points, &NamedPoint::figures);
   std::string text = std::string(points_header) + (has_errors ? error_columns : "") +
                      (has_figures ? figure_columns : "") + "\n";
   for (const NamedPoint& point : points) {
     const std::string what = "point '" + point.id + "'";
     text += csv_quoted(point.id) + "," + csv::coordinates(point.position, what) +
-            (has_errors ? "," + csv::error_values(*point.error, what) : "") +
+            (point.error  ? "," + csv::error_values(*point.error, what)
+             : has_errors ? ",,,,"
+                          : "") +
             (has_figures ? "," + csv::figure_values(*point.figures, what) : "") + "\n";
   }
   return text;

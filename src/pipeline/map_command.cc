@@ -42,7 +42,7 @@ void map(const MapRequest& request, std::vector<NamedPoint>& points, Remarks& re
   OutsideReport outside;
   for (NamedPoint& point : points) {
     const MappedState mapped = map(point.position);
-    if (uncertainty)
+    if (uncertainty && mapped.outside <= evaluation::far_outside)
       point.error = error_bar(request, *uncertainty, mapped.unloaded);
     point.figures = {
         map.volume_ratio(mapped.unloaded),        mapped.outside,

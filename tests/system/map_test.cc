@@ -288,7 +288,10 @@ TEST(Map, CountsAndNamesThePointsOutside) {
   EXPECT_NE((run.out + run.err).find("1 of 3 points lie more than 2 mm outside"), std::string::npos)
       << run.transcript();
   EXPECT_NE((run.out + run.err).find("('in the air')"), std::string::npos) << run.transcript();
-  EXPECT_GT(std::stod(read_table(folder / "out.csv")[2].at("outside")), 100.);
+  const auto rows = read_table(folder / "out.csv");
+  EXPECT_GT(std::stod(rows[2].at("outside")), 100.);
+  EXPECT_EQ(rows[2].at("radius_95"), ""); // nothing is known of it
+  EXPECT_GT(std::stod(rows[0].at("radius_95")), 0.);
 }
 
 // The sample has few landmarks; a model that has lost its scale misses most of them or none by far.

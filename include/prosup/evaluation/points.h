@@ -58,7 +58,7 @@ std::vector<NamedPoint> read_points(const std::filesystem::path& file);
 std::vector<NamedPoint> parse_points(const std::string& text, PointFormat format,
                                      const std::string& name, Remarks& remarks);
 
-/// The first line of points that are written as CSV, and what is added to it if all of them have
+/// The first line of points that are written as CSV, and what is added to it if some of them have
 /// error bars, and if all have figures of a map.
 constexpr const char* points_header = "id,x,y,z";
 constexpr const char* error_columns = ",sd_x,sd_y,sd_z,radius_95";
@@ -72,8 +72,9 @@ std::vector<std::string> points_headers();
 /// ending, such as /dev/stdout, or ends in .txt.
 PointFormat output_format(const std::filesystem::path& file);
 
-/// Writes points, LPS mm, to 1e-6 mm. If all have error bars or figures, CSV has them in further
-/// columns, where an unknown distance is left empty, and markups in the descriptions of the points.
+/// Writes points, LPS mm, to 1e-6 mm. If some have error bars, or all have figures, CSV has them in
+/// further columns, where what is not known is left empty, and markups in the descriptions of the
+/// points.
 /// @throws Error if a number is not finite or the file cannot be written.
 void write_points(const std::vector<NamedPoint>& points, const std::filesystem::path& file,
                   PointFormat format = PointFormat::csv);

@@ -84,6 +84,9 @@ TEST(Points, WithErrorBarsHaveMoreColumns) {
     EXPECT_NE(contents(folder / name).find("95 % within 4.12 mm"), std::string::npos) << name;
     EXPECT_EQ(read_points(folder / name).at(0).position, Point<3>(1., 2., 3.)) << name;
   }
+  write_points({{"a", {1., 2., 3.}, bar}, {"b", {4., 5., 6.}}}, folder / "some.csv");
+  EXPECT_NE(contents(folder / "some.csv").find("\nb,4.000000,5.000000,6.000000,,,,\n"),
+            std::string::npos);
   const ErrorBar wrong{{}, std::numeric_limits<double>::infinity()};
   expect_error(
       [&] {
