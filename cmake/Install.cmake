@@ -9,6 +9,11 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/prosup DESTINATION ${CMAKE_INSTA
 # Where prosup compare looks for the parameter files of other programs.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/prm/peers DESTINATION ${CMAKE_INSTALL_DATADIR}/prosup)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# Programs that use the package, to begin with.
+foreach(example law metric plugin register)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples/${example} DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
+endforeach()
+install(FILES ${PROJECT_SOURCE_DIR}/examples/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
 # Parameter files to begin with, and the sample that they name.
 set(sample tests/data/anthro1)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/${sample} DESTINATION ${CMAKE_INSTALL_DATADIR}/prosup)

@@ -23,7 +23,7 @@ diff <(cd "$source/include" && find . -name '*.h' | sort) \
 
 # build_example NAME: a copy, so that nothing of the source tree is found by a relative path.
 build_example() {
-  cp -r "$source/examples/$1" "$work/$1"
+  cp -r "$prefix/share/doc/prosup/examples/$1" "$work/$1"
   "$cmake" -S "$work/$1" -B "$work/build_$1" -G Ninja -DCMAKE_PREFIX_PATH="$prefix" \
     -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_FLAGS="-Wall -Wextra -Wpedantic -Werror" >"$work/configure.log" ||
     die "$(cat "$work/configure.log")"
@@ -65,6 +65,19 @@ near() {
 }
 near "$work/one.txt" || die "The example maps a point to $(cat "$work/one.txt"), the command to $(sed -n 2p "$work/mapped.csv")."
 near "$work/two.txt" || die "Two ranks map a point to $(cat "$work/two.txt"), one to $(cat "$work/one.txt")."
+
+# A metric of the host's own. The sample is 10 mm apart.
+build_example metric
+"$work/build_metric/metric" "${files[@]}" "$data/landmarks.csv" "$work/quick.prm" | tee "$work/metric.txt"
+awk '{ n += 1; if (!($1 > 9 && $2 < 0.15 * $1)) wrong = 1 } END { exit wrong || n != 1 }' "$work/metric.txt" ||
+  die "With a metric of its own the example leaves $(cat "$work/metric.txt") mm."
+
+# The laws. Of a neo-Hookean block the stress is mu (stretch - 1/stretch^2), mu = 300 Pa.
+build_example law
+"$work/build_law/law" | tee "$work/law.csv"
+awk -F, 'NR == 1 { named = $2 == "neo-hookean" }
+  NR > 1 { n += 1; if (($2 - 300 * ($1 - 1 / $1 ^ 2))^2 > 0.01^2) wrong = 1 }
+  END { exit wrong || !named || n != 9 }' "$work/law.csv" || die "The stresses of the laws are wrong."
 
 # Breasts of the host's own.
 build_example plugin
