@@ -70,7 +70,9 @@ OriginalImage InputReader::read_original(const CaseFiles& files, Position positi
         format("The value %g in %.0f %% of the air of '%s' was taken for padding beyond the "
                "field of view and replaced by the intensity %g of the other air.",
                padding->value, 100. * padding->share, file.c_str(), padding->air));
-  return {std::move(image), image::select_labels(labels, labels_.tissues)};
+  // Islands of tissue in the air are no breast; air among the tissue would be its darkest part.
+  return {std::move(image),
+          image::largest_component(image::select_labels(labels, labels_.tissues))};
 }
 
 SingleInput InputReader::read_breast(const CaseFiles& files, Position position,

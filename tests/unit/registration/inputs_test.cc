@@ -88,5 +88,39 @@ TEST(Inputs, ACroppedSegmentationComesToTheGridOfItsImage) {
   EXPECT_EQ(input.labels.values, inputs.scene.labels.prone.values);
 }
 
+// Their air would be taken for the darkest tissue, and the images scaled by it.
+TEST(Inputs, IslandsOfTissueInTheAirDoNotChangeTheScaleOfTheImages) {
+  CaseFiles files;
+  files.images = {data + "prone.nii.gz", data + "supine.nrrd"};
+  files.labels = {data + "prone_labels.nii.gz", data + "supine_labels.mha"};
+  const Labels labels;
+  const InputReader reader(labels);
+  Remarks remarks;
+  const Inputs expected = reader.read_pair(files, MPI_COMM_SELF, remarks);
+
+  LabelImage islands = image::read_labels(files.labels.prone);
+  std::size_t n_islands = 0;
+  const auto& size = islands.grid.size;
+  const LabelImage air = image::select_labels(islands, {0});
+  for (std::size_t k = 1; k + 1 < size[2]; k += 3)
+    for (std::size_t j = 1; j + 1 < size[1]; j += 3)
+      for (std::size_t i = 1; i + 1 < size[0]; i += 3) {
+        bool in_air = true;
+        for (std::size_t n = 0; n < 27; ++n)
+          in_air = in_air && air(i + n % 3 - 1, j + n / 3 % 3 - 1, k + n / 9 - 1) != 0;
+        if (in_air) {
+          islands(i, j, k) = 2;
+          ++n_islands;
+        }
+      }
+  ASSERT_GT(n_islands, 100u);
+  const TemporaryFolder folder;
+  files.labels.prone = folder / "islands.nii.gz";
+  image::write_labels(islands, files.labels.prone);
+  const Inputs inputs = reader.read_pair(files, MPI_COMM_SELF, remarks);
+  EXPECT_EQ(inputs.originals.prone.breast.values, expected.originals.prone.breast.values);
+  EXPECT_EQ(inputs.images.prone.values, expected.images.prone.values);
+}
+
 } // namespace
 } // namespace prosup::tests
