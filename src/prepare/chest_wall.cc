@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "coarse_wall.h"
+#include "fat_sign.h"
 #include "prosup/image/filters.h"
 
 namespace prosup::prepare {
@@ -87,12 +88,13 @@ ChestWall find_chest_wall(const ChestImage& image, const TrunkAxis& axis,
     return refined(source, coarse, *fat_is_bright);
   }
   CoarseWall dark(source, axis, false), bright(source, axis, true);
-  const double difference = dark.mean_cost() - bright.mean_cost();
-  const bool is_bright = difference > FatSign::middle;
+  const double sign = dark.mean_cost() - bright.mean_cost() +
+                      FatSign::weight_of_darker * darker_than_fat(source, axis);
+  const bool is_bright = sign > FatSign::middle;
   CoarseWall& coarse = is_bright ? bright : dark;
   coarse.correct_shape();
   ChestWall wall = refined(source, coarse, is_bright);
-  wall.fat = {is_bright, std::abs(difference - FatSign::middle) < FatSign::doubtful};
+  wall.fat = {is_bright, std::abs(sign - FatSign::middle) < FatSign::doubtful};
   return wall;
 }
 

@@ -22,19 +22,6 @@ constexpr double front_angle = 50. * degree; // the sides are no smooth surface
 constexpr double least_fat = 3.;             // mm, between skin and chest
 constexpr double end_of_scan = 8.;           // mm
 
-/// Largest radius of a body, mm.
-double largest_radius(const image::LabelImage& body, const TrunkAxis& axis) {
-  double largest = 0.;
-  const auto& size = body.grid.size;
-  for (std::size_t k = 0; k < size[2]; k += 2)
-    for (std::size_t j = 0; j < size[1]; j += 2)
-      for (std::size_t i = 0; i < size[0]; i += 2)
-        if (body(i, j, k) != 0)
-          largest =
-              std::max(largest, axis.radius(body.grid.physical(double(i), double(j), double(k))));
-  return largest;
-}
-
 } // namespace
 
 ColumnMap radii(const Profiles& profiles, const std::vector<std::size_t>& levels) {

@@ -27,7 +27,7 @@ public:
   const TrunkGrid& grid() const { return profiles_.grid; }
   const FrontTissue& tissue() const { return tissue_; }
   const ColumnMap& radius() const { return radius_; }
-  double mean_cost() const; ///< of the columns with body
+  double mean_cost() const; ///< of the columns with skin
   /// 1 in columns where skin lies on the chest, without fat between them; after correct_shape().
   const ColumnMap& bare() const { return bare_; }
   /// 1 in columns where a hill was taken away.

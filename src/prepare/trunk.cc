@@ -68,6 +68,12 @@ TrunkAxis find_trunk_axis(const image::LabelImage& body) {
   return axis;
 }
 
+double largest_radius(const image::LabelImage& body, const TrunkAxis& axis) {
+  double largest = 0.;
+  for_some_of(body, [&](const Point<3>& p) { largest = std::max(largest, axis.radius(p)); });
+  return largest;
+}
+
 TrunkGrid trunk_grid(const TrunkAxis& axis, const image::VoxelGrid& image, double angle_step,
                      double z_step) {
   double low = std::numeric_limits<double>::max(), high = -low;

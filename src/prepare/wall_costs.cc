@@ -17,7 +17,7 @@ constexpr double most_below_typical = 0.4;    // of the logarithm of fat
 constexpr double least_contrast = -0.3;
 constexpr double least_front = 2., least_behind = 2.; // mm
 
-/// Radius of the end of the innermost run of body.
+/// Radius of the end of the innermost run of body; no number if the image ends before it does.
 double skin_of(const Profiles& profiles, std::size_t row, std::size_t column) {
   const char* body = profiles.is_body.data() + profiles.first_of(row, column);
   const std::size_t n = profiles.n_samples;
@@ -27,6 +27,8 @@ double skin_of(const Profiles& profiles, std::size_t row, std::size_t column) {
   auto end = std::min(n, first + std::size_t(thinnest_chest / profiles.step));
   while (end < n && body[end] != 0)
     ++end;
+  if (end < n && profiles.known[profiles.first_of(row, column) + end] == 0)
+    return unknown;
   return profiles.radius(row, column, double(end) - 0.5);
 }
 

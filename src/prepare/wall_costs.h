@@ -8,7 +8,8 @@ namespace prosup::prepare {
 
 /// What the profiles say of the tissue in front of the chest.
 struct FrontTissue {
-  ColumnMap skin; ///< radius where the innermost run of body ends, mm; no number without body
+  ColumnMap skin; ///< radius where the innermost run of body ends, mm; no number where
+                  ///< there is no body, or where the border of the image cuts it off
   ColumnMap fat;  ///< scaled intensity of the fat below the skin
 };
 

@@ -9,14 +9,15 @@
 
 namespace prosup::prepare {
 
-/// Whether fat is bright: if the coarse surface with dark fat costs more than `middle` above that
-/// with bright fat. The difference is not 0 in the middle, because muscle against lung has the sign
-/// of bright fat. In trials before bias correction it was 0.55 to 1.0 in nine images with bright
-/// fat, and 0.2 to 0.3 in three with suppressed fat.
+/// Whether fat is bright: if d + 0.3 b is above `middle`. d is the cost of the coarse surface with
+/// dark fat above that with bright fat; it is not 0 in the middle, because muscle against lung has
+/// the sign of bright fat. b = (n- - n+)/(n- + n+), where of the tissue 4 to 60 mm below the skin
+/// n- is darker and n+ brighter than the fat below the skin, by more than 0.3 in the logarithm of
+/// the intensity; lung and what else is no brighter than air does not count.
 struct FatSign {
   bool is_bright = false;
   bool is_doubtful = false; ///< it was not told, and nearer to `middle` than `doubtful`
-  static constexpr double middle = 0.43, doubtful = 0.08;
+  static constexpr double weight_of_darker = 0.3, middle = 0.42, doubtful = 0.1;
 };
 
 /// Where a wall is not as chests are.
@@ -64,7 +65,7 @@ struct ChestImage {
 /// and 3 in z, fitted robustly) and is closed all around; if it is 11 mm high or more, the surface
 /// is a membrane over its surroundings there. Then fine, in columns of 1 degree and 2 mm with
 /// levels of 0.5 mm within 8 mm of the smoothed coarse surface, with means over 3 mm; that follows
-/// the edge. If it is not told whether fat is bright, both are tried on the coarse level.
+/// the edge. If it is not told whether fat is bright, both are tried on the coarse level (FatSign).
 /// @throws Error if the body is nowhere thick enough for a chest.
 ChestWall find_chest_wall(const ChestImage& image, const TrunkAxis& axis,
                           std::optional<bool> fat_is_bright);

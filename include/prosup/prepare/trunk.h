@@ -28,6 +28,9 @@ struct TrunkAxis {
 /// plane are narrower.
 TrunkAxis find_trunk_axis(const image::LabelImage& body);
 
+/// Largest distance of a body from the axis, mm.
+double largest_radius(const image::LabelImage& body, const TrunkAxis& axis);
+
 /// Breasts lie within this angle to both sides of the front, rad.
 inline constexpr double widest_breast = 1.;
 

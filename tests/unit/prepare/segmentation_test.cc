@@ -183,6 +183,22 @@ TEST(Preparation, LabelsAWholeScan) {
   }
 }
 
+// The left half alone: to the right of it the profiles from the trunk end within the chest.
+TEST(Preparation, LabelsAScanOfOneSide) {
+  for (const Kind& kind : kinds()) {
+    SCOPED_TRACE(kind.name);
+    const image::VoxelGrid& grid = kind.chest.image.grid;
+    const image::VoxelBox half{{grid.size[0] / 2, 0, 0}, grid.size};
+    const prepare::PreparedScan scan =
+        PreparationOf({}).run(image::part_of(kind.chest.image, half));
+    const image::LabelImage truth = image::part_of(kind.chest.labels, half);
+    EXPECT_EQ(prepare::fat_is_bright(scan.contrast), kind.fat_is_bright);
+    EXPECT_GT(dice(scan.labels, truth, is_breast), 0.95);
+    EXPECT_GT(dice(scan.labels, truth, is_gland), 0.88);
+    EXPECT_TRUE(scan.confidence.doubts.empty()) << scan.confidence.doubts.front();
+  }
+}
+
 TEST(Preparation, CutsOutOneBreast) {
   const SyntheticChest& chest = kinds().front().chest;
   const prepare::PreparedScan scan =
