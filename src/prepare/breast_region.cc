@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "prosup/core/error.h"
 #include "prosup/core/log.h"
@@ -123,6 +124,33 @@ void require_whole_breast(const CutSection& cut) {
                        cut.side, cut.where, cut.area, 100. * cut.share));
 }
 
+double section_in_the_middle(const LabelImage& front, const TrunkSurface& chest, Side side) {
+  if (side == Side::both)
+    return 0.;
+  const TrunkAxis& axis = chest.grid.axis;
+  std::map<long, std::size_t> n; // by the voxels from the plane to the patient's left
+  for_each_breast_voxel(front, chest, Side::both,
+                        [&](std::size_t, std::size_t, std::size_t, const Point<3>& p) {
+                          if (std::abs(axis.angle(p)) < widest_breast)
+                            ++n[std::lround((p[0] - axis.x) / front.grid.spacing[0])];
+                        });
+  std::size_t largest = 1;
+  for (const auto& [plane, section] : n)
+    if (plane == 0 || (plane > 0) == (side == Side::left))
+      largest = std::max(largest, section);
+  return double(n[0]) / double(largest);
+}
+
+void require_two_sides(double middle_share, Side side) {
+  constexpr double largest_share = 0.5;
+  if (middle_share > largest_share)
+    throw Error(format("The plane between left and right, in the middle of the body, cuts through "
+                       "a breast where its section is %.0f %% of the largest one, so the scan "
+                       "seems to show one breast only; leave '--side %s' out, which keeps the "
+                       "whole scan, or give a scan that shows both sides of the chest.",
+                       100. * middle_share, side_names()[std::size_t(side)].c_str()));
+}
+
 void require_whole_front(const LabelImage& front) {
   constexpr double largest_area = 400.; // mm^2
   const auto& size = front.grid.size;
@@ -134,7 +162,8 @@ void require_whole_front(const LabelImage& front) {
   const double area = double(n) * front.grid.spacing[0] * front.grid.spacing[2];
   if (area > largest_area)
     throw Error(format("The breast is cut off by the front border of the image, where %.1f cm^2 of "
-                       "tissue are; give a scan with the whole breast in its field of view.",
+                       "tissue are; give a scan with the whole breast in its field of view, or "
+                       "correct the header if it takes the back of the body for its front.",
                        area / 100.));
 }
 

@@ -49,6 +49,11 @@ double volume(const LabelImage& labels, unsigned label) {
   return double(n) * labels.grid.voxel_volume() / 1000.;
 }
 
+bool has_air_of_ct(const ScalarImage& scan) {
+  return std::any_of(scan.values.begin(), scan.values.end(),
+                     [](float value) { return value < -500.f; });
+}
+
 } // namespace
 
 Preparation::Preparation(const Labels& labels)
@@ -78,9 +83,18 @@ void Preparation::declare_parameters(ParameterHandler& prm) {
 }
 
 Contrast Preparation::contrast_of(const ScalarImage& scan) const {
-  if (contrast_ != "automatic")
-    return enumerator<Contrast>(contrast_, contrast_names());
-  return looks_like_ct(scan) ? Contrast::ct : Contrast::t1; // fat is looked at later
+  const bool is_ct = looks_like_ct(scan);
+  if (contrast_ == "automatic")
+    return is_ct ? Contrast::ct : Contrast::t1; // fat is looked at later
+  const auto told = enumerator<Contrast>(contrast_, contrast_names());
+  if (is_ct && told != Contrast::ct)
+    throw Error(format("The contrast is given as '%s', but the scan has air below -500, as only a "
+                       "CT has; leave '--contrast' out, which recognises each scan.",
+                       contrast_.c_str()));
+  if (told == Contrast::ct && !has_air_of_ct(scan))
+    throw Error("The contrast is given as 'ct', but no voxel of the scan is below -500, as air is "
+                "in Hounsfield units; leave '--contrast' out, or give a CT in Hounsfield units.");
+  return told;
 }
 
 ChestWall Preparation::wall_of(const ChestImage& image, const TrunkAxis& axis,
@@ -125,6 +139,7 @@ PreparedScan Preparation::run(ScalarImage scan, const Log& log, const UserMasks&
   const LabelImage front = image::select_labels(parts, {in_front_of_wall});
   require_whole_front(front);
   const Side side = enumerator<Side>(side_, side_names());
+  require_two_sides(section_in_the_middle(front, wall.surface, side), side);
   const CutSection cut = largest_cut(front, wall.surface, side);
   require_whole_breast(cut);
   log.progress("  fat and gland");

@@ -46,6 +46,14 @@ CutSection largest_cut(const image::LabelImage& front, const TrunkSurface& chest
 /// of the breast and its skin lies beyond.
 void require_whole_breast(const CutSection& cut);
 
+/// The section of a breast with the plane between the patient's left and right, over the largest
+/// section parallel to it on the side that is wanted. 0 for both sides.
+double section_in_the_middle(const image::LabelImage& front, const TrunkSurface& chest, Side side);
+
+/// @throws Error if that section is larger than 0.5: then the scan shows one breast, whose middle
+/// was taken for that of the trunk.
+void require_two_sides(double middle_share, Side side);
+
 } // namespace prosup::prepare
 
 #endif

@@ -62,8 +62,9 @@ public:
   void declare_parameters(dealii::ParameterHandler& prm) override;
 
   /// Finds body, chest wall, fat and gland, as far as `masks` do not give them. For one rank.
-  /// @throws Error if there is no body, no chest or no breast, if a breast is cut off, or if a mask
-  /// marks nothing of the scan.
+  /// @throws Error if there is no body, no chest or no breast, if a breast is cut off, if a side is
+  /// wanted of a scan of one breast, if a CT is said to be MR or the reverse, or if a mask marks
+  /// nothing of the scan.
   PreparedScan run(image::ScalarImage scan, const Log& log, const UserMasks& masks = {}) const;
 
 private:

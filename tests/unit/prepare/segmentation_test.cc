@@ -219,6 +219,30 @@ TEST(Preparation, CutsOutOneBreast) {
   EXPECT_NEAR(sum / n, 60., 8.); // mm; a little of the other side is in the margin
 }
 
+TEST(Preparation, RefusesACTThatIsGivenAsMRAndTheReverse) {
+  expect_error([&] { PreparationOf({"Preparation/Contrast=ct"}).run(kinds().front().chest.image); },
+               {"'ct'", "-500", "Hounsfield"});
+  for (const std::string contrast : {"t1", "t1fs", "t2"})
+    expect_error(
+        [&] {
+          PreparationOf({"Preparation/Contrast=" + contrast}).run(kinds().back().chest.image);
+        },
+        {"'" + contrast + "'", "-500", "CT"});
+}
+
+// The middle of the body is that of the breast there.
+TEST(Preparation, RefusesASideOfAScanOfOneSide) {
+  const SyntheticChest& chest = kinds().front().chest;
+  const image::VoxelBox half{{chest.image.grid.size[0] / 2, 0, 0}, chest.image.grid.size};
+  for (const std::string side : {"left", "right"})
+    expect_error(
+        [&] {
+          PreparationOf({"Preparation/Side=" + side, "Preparation/Bias correction=none"})
+              .run(image::part_of(chest.image, half));
+        },
+        {"one breast only", "--side " + side});
+}
+
 TEST(BreastBox, IsOnTheSideThatIsWanted) {
   const SyntheticChest& chest = kinds().front().chest;
   image::LabelImage front(chest.labels.grid);
@@ -240,7 +264,7 @@ TEST(Preparation, RefusesABreastThatIsCutOff) {
   const image::VoxelBox box{{0, 20, 0}, chest.image.grid.size};
   prepare::require_whole_front(chest.labels);
   expect_error([&] { prepare::require_whole_front(image::part_of(chest.labels, box)); },
-               {"front border", "cm^2"});
+               {"front border", "cm^2", "header"});
 }
 
 } // namespace
