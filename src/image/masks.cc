@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "itk_bridge.h"
 #include "prosup/image/filters.h"
@@ -66,6 +67,28 @@ LabelImage largest_component(const LabelImage& mask) {
   const auto largest = std::max_element(n_voxels.begin() + 1, n_voxels.end()) - n_voxels.begin();
   std::transform(components.values.begin(), components.values.end(), result.values.begin(),
                  [&](std::uint32_t component) { return component == largest ? 1 : 0; });
+  return result;
+}
+
+LabelImage inner_part(const LabelImage& mask, double distance) {
+  const auto& size = mask.grid.size;
+  const std::size_t strides[] = {1, size[0], size[0] * size[1]};
+  std::array<std::size_t, 3> steps{};
+  for (unsigned d = 0; d < 3; ++d)
+    steps[d] = static_cast<std::size_t>(std::ceil(distance / mask.grid.spacing[d]));
+  const auto is_inner = [&](std::size_t v) {
+    for (unsigned d = 0; d < 3; ++d) {
+      const std::size_t i = v / strides[d] % size[d];
+      for (std::size_t n = 1; n <= steps[d]; ++n)
+        if ((i >= n && mask.values[v - n * strides[d]] == 0) ||
+            (i + n < size[d] && mask.values[v + n * strides[d]] == 0))
+          return false;
+    }
+    return true;
+  };
+  LabelImage result(mask.grid);
+  for (std::size_t v = 0; v < mask.values.size(); ++v)
+    result.values[v] = mask.values[v] != 0 && is_inner(v) ? mask.values[v] : 0;
   return result;
 }
 

@@ -9,6 +9,7 @@
 
 #include "outlines.h"
 #include "prosup/core/quantile.h"
+#include "prosup/image/filters.h"
 #include "prosup/image/sampling.h"
 
 namespace prosup::registration {
@@ -69,20 +70,40 @@ std::optional<TissueContrast> contrast_of(const ScalarImage& image, const image:
   return TissueContrast{quantile(std::move(fat), 0.5), quantile(std::move(gland), 0.5)};
 }
 
+/// Tissue without its outer 2 mm, which are partly air or chest where slices are thick or a mask is
+/// off; all of it if it is thin everywhere.
+image::LabelImage inner_tissue(const image::LabelImage& labels, const Labels& meaning) {
+  constexpr double outline = 2.; // mm
+  constexpr double least_part = 0.3;
+  const image::LabelImage tissue = image::select_labels(labels, meaning.tissues);
+  image::LabelImage inner = image::inner_part(tissue, outline);
+  const auto n = [](const image::LabelImage& mask) {
+    return double(mask.values.size()) -
+           double(std::count(mask.values.begin(), mask.values.end(), std::uint8_t(0)));
+  };
+  return n(inner) < least_part * n(tissue) ? tissue : inner;
+}
+
+/// The parts of the tissue in bins between its percentiles 1 and 99.
 std::vector<double> histogram(const ScalarImage& image, const image::LabelImage& labels,
                               const Labels& meaning) {
   constexpr std::size_t n_bins = 24;
-  std::vector<double> bins(n_bins, 0.);
-  const std::array<bool, 256> is_tissue = tissue_table(meaning);
-  double n = 0.;
-  for (std::size_t v = 0; v < labels.values.size(); ++v)
-    if (is_tissue[labels.values[v]]) {
-      const double t = (double(image.values[v]) + 0.1) / 1.2;
-      ++bins[std::size_t(std::clamp(t, 0., 0.9999) * double(n_bins))];
-      ++n;
-    }
-  for (double& bin : bins)
-    bin /= std::max(n, 1.);
+  std::vector<double> bins(n_bins, 0.), values;
+  const image::LabelImage tissue = inner_tissue(labels, meaning);
+  for (std::size_t v = 0; v < tissue.values.size(); ++v)
+    if (tissue.values[v] != 0)
+      values.push_back(image.values[v]);
+  if (values.empty())
+    return bins;
+  const double low = quantile(values, 0.01), high = quantile(values, 0.99);
+  for (const double value : values) {
+    // Shared by the two nearest bins, so that a narrow peak may lie anywhere.
+    const double part = (value - low) / std::max(high - low, 1e-6);
+    const double bin = std::clamp((part + 0.1) / 1.2, 0., 0.9999) * double(n_bins - 1);
+    const auto below = std::size_t(bin);
+    bins[below] += (1. - (bin - double(below))) / double(values.size());
+    bins[below + 1] += (bin - double(below)) / double(values.size());
+  }
   return bins;
 }
 

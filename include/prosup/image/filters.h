@@ -71,6 +71,11 @@ LabelImage select_labels(const LabelImage& image, const std::vector<unsigned>& l
 /// The largest connected part of a mask; an empty mask stays empty.
 LabelImage largest_component(const LabelImage& mask);
 
+/// The part of a mask that has nothing but mask around it along the axes: up to the voxel that is
+/// `distance` (mm) or more away in each of the six directions. What lies beyond the image is not
+/// outside.
+LabelImage inner_part(const LabelImage& mask, double distance);
+
 /// Fills the cavities of a mask: outside voxels that are not connected to the border of the
 /// image.
 LabelImage fill_holes(const LabelImage& mask);

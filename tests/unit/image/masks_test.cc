@@ -47,6 +47,27 @@ TEST(LargestComponent, LeavesAnEmptyMaskEmpty) {
   EXPECT_EQ(n_inside(largest_component(LabelImage(cube_grid(3)))), 0u);
 }
 
+TEST(InnerPart, LeavesOutWhatIsNearTheOutlineButNotWhatIsNearTheBorder) {
+  LabelImage mask(cube_grid(10));
+  mask.grid.spacing[0] = 0.7;
+  mask.grid.spacing[1] = 1.;
+  mask.grid.spacing[2] = 3.;
+  set_box(mask, {1, 0, 2}, {9, 9, 7}, 1);
+  set_box(mask, {6, 5, 4}, {6, 5, 4}, 0); // a hole
+  const LabelImage inner = inner_part(mask, 2.);
+  EXPECT_EQ(inner(3, 0, 4), 0); // 3 voxels of 0.7 mm from the outline
+  EXPECT_EQ(inner(4, 0, 4), 1);
+  EXPECT_EQ(inner(9, 9, 4), 1);
+  EXPECT_EQ(inner(4, 0, 2), 0); // one voxel of 3 mm from it
+  EXPECT_EQ(inner(4, 0, 3), 1);
+  EXPECT_EQ(inner(9, 5, 4), 0); // 3, 2 and one from the hole
+  EXPECT_EQ(inner(6, 7, 4), 0);
+  EXPECT_EQ(inner(6, 8, 4), 1);
+  EXPECT_EQ(inner(6, 5, 5), 0);
+  EXPECT_EQ(inner(6, 5, 6), 1);
+  EXPECT_EQ(n_inside(inner_part(mask, 100.)), 0u);
+}
+
 TEST(FillHoles, FillsCavitiesButNoHollowThatReachesTheBorder) {
   LabelImage mask(cube_grid(12));
   set_box(mask, {1, 1, 0}, {10, 10, 9}, 1);
