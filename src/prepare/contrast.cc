@@ -22,8 +22,17 @@ std::string describe(Contrast contrast) {
   }
 }
 
+namespace {
+constexpr float thin_air = -500.f; // Hounsfield units
+} // namespace
+
+bool has_air_of_ct(const image::ScalarImage& image) {
+  return std::any_of(image.values.begin(), image.values.end(),
+                     [](float value) { return value < thin_air; });
+}
+
 bool looks_like_ct(const image::ScalarImage& image) {
-  constexpr float padding = -1100.f, thin_air = -500.f;
+  constexpr float padding = -1100.f;
   constexpr double least_share = 0.02;
   const auto n_air = std::count_if(image.values.begin(), image.values.end(),
                                    [](float value) { return value > padding && value < thin_air; });

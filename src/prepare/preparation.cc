@@ -49,11 +49,6 @@ double volume(const LabelImage& labels, unsigned label) {
   return double(n) * labels.grid.voxel_volume() / 1000.;
 }
 
-bool has_air_of_ct(const ScalarImage& scan) {
-  return std::any_of(scan.values.begin(), scan.values.end(),
-                     [](float value) { return value < -500.f; });
-}
-
 } // namespace
 
 Preparation::Preparation(const Labels& labels)

@@ -70,29 +70,28 @@ std::optional<TissueContrast> contrast_of(const ScalarImage& image, const image:
   return TissueContrast{quantile(std::move(fat), 0.5), quantile(std::move(gland), 0.5)};
 }
 
-/// Tissue without its outer 2 mm, which are partly air or chest where slices are thick or a mask is
-/// off; all of it if it is thin everywhere.
-image::LabelImage inner_tissue(const image::LabelImage& labels, const Labels& meaning) {
+/// Intensities of the tissue without its outer 2 mm, which are partly air or chest where slices are
+/// thick or a mask is off; of all tissue if it is thin everywhere.
+std::vector<double> inner_intensities(const ScalarImage& image, const image::LabelImage& labels,
+                                      const Labels& meaning) {
   constexpr double outline = 2.; // mm
   constexpr double least_part = 0.3;
-  const image::LabelImage tissue = image::select_labels(labels, meaning.tissues);
-  image::LabelImage inner = image::inner_part(tissue, outline);
-  const auto n = [](const image::LabelImage& mask) {
-    return double(mask.values.size()) -
-           double(std::count(mask.values.begin(), mask.values.end(), std::uint8_t(0)));
+  const auto in_mask = [&](const image::LabelImage& mask) {
+    std::vector<double> values;
+    for (std::size_t v = 0; v < mask.values.size(); ++v)
+      if (mask.values[v] != 0)
+        values.push_back(image.values[v]);
+    return values;
   };
-  return n(inner) < least_part * n(tissue) ? tissue : inner;
+  const image::LabelImage tissue = image::select_labels(labels, meaning.tissues);
+  std::vector<double> all = in_mask(tissue), inner = in_mask(image::inner_part(tissue, outline));
+  return double(inner.size()) < least_part * double(all.size()) ? all : inner;
 }
 
-/// The parts of the tissue in bins between its percentiles 1 and 99.
-std::vector<double> histogram(const ScalarImage& image, const image::LabelImage& labels,
-                              const Labels& meaning) {
+/// Parts of these values in bins between their percentiles 1 and 99.
+std::vector<double> histogram(const std::vector<double>& values) {
   constexpr std::size_t n_bins = 24;
-  std::vector<double> bins(n_bins, 0.), values;
-  const image::LabelImage tissue = inner_tissue(labels, meaning);
-  for (std::size_t v = 0; v < tissue.values.size(); ++v)
-    if (tissue.values[v] != 0)
-      values.push_back(image.values[v]);
+  std::vector<double> bins(n_bins, 0.);
   if (values.empty())
     return bins;
   const double low = quantile(values, 0.01), high = quantile(values, 0.99);
@@ -115,7 +114,7 @@ void compare_intensities(const PerPosition<BreastMeasures>& breasts, const Input
     const image::LabelImage& labels = breasts[position].labels;
     const ScalarImage& image = images[position] = thinned(inputs.images[position], edge);
     result.contrast[position] = contrast_of(image, labels, meaning);
-    bins[position] = histogram(image, labels, meaning);
+    bins[position] = histogram(inner_intensities(image, labels, meaning));
     const OriginalImage& original = inputs.originals[position];
     std::set<float> values;
     for (std::size_t v = 0; v < original.breast.values.size() && values.size() < n_values_counted;

@@ -26,6 +26,9 @@ constexpr bool fat_is_bright(Contrast contrast) {
 /// -1100 are padding and do not count.
 bool looks_like_ct(const image::ScalarImage& image);
 
+/// Whether any value is below -500, padding included: without one, nothing is air of a CT.
+bool has_air_of_ct(const image::ScalarImage& image);
+
 } // namespace prosup::prepare
 
 #endif

@@ -276,6 +276,16 @@ TEST(SceneCheck, Contrast) {
   expect_error_finding(mask, "give the image");
 }
 
+// The images are scaled by percentiles, which are those of air where a mask is off.
+TEST(SceneCheck, TheScaleOfAnImageIsNoContrast) {
+  Case scaled;
+  scaled.spoil = [](Inputs& inputs) {
+    for (float& value : inputs.images.supine.values)
+      value = 0.7f * value + 0.2f;
+  };
+  EXPECT_TRUE(scaled.check().findings.empty()) << listed(scaled.check());
+}
+
 TEST(SceneCheck, OneBreastAlone) {
   const Labels meaning;
   const SceneCheck check(meaning);
