@@ -30,6 +30,14 @@ std::uint32_t n_components(const ComponentImage& components) {
              : *std::max_element(components.values.begin(), components.values.end());
 }
 
+/// Voxels of each component; of what is outside at 0.
+std::vector<std::size_t> sizes_of(const ComponentImage& components) {
+  std::vector<std::size_t> n_voxels(n_components(components) + 1, 0);
+  for (const std::uint32_t component : components.values)
+    ++n_voxels[component];
+  return n_voxels;
+}
+
 /// Tells for each component whether it reaches the border of the image.
 std::vector<bool> reaches_border(const ComponentImage& components) {
   std::vector<bool> reaches(n_components(components) + 1, false);
@@ -58,15 +66,25 @@ LabelImage select_labels(const LabelImage& image, const std::vector<unsigned>& l
 
 LabelImage largest_component(const LabelImage& mask) {
   const ComponentImage components = connected_components(mask);
-  std::vector<std::size_t> n_voxels(n_components(components) + 1, 0);
-  for (const std::uint32_t component : components.values)
-    ++n_voxels[component];
+  const std::vector<std::size_t> n_voxels = sizes_of(components);
   LabelImage result(mask.grid);
   if (n_voxels.size() == 1)
     return result;
   const auto largest = std::max_element(n_voxels.begin() + 1, n_voxels.end()) - n_voxels.begin();
   std::transform(components.values.begin(), components.values.end(), result.values.begin(),
                  [&](std::uint32_t component) { return component == largest ? 1 : 0; });
+  return result;
+}
+
+LabelImage without_small_parts(const LabelImage& mask, double volume) {
+  const ComponentImage components = connected_components(mask);
+  const std::vector<std::size_t> n_voxels = sizes_of(components);
+  LabelImage result(mask.grid);
+  const double least = volume / mask.grid.voxel_volume();
+  std::transform(components.values.begin(), components.values.end(), result.values.begin(),
+                 [&](std::uint32_t component) {
+                   return component != 0 && double(n_voxels[component]) >= least ? 1 : 0;
+                 });
   return result;
 }
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "boxes.h"
+#include "edge_of_body.h"
 #include "flood.h"
 #include "image/itk_bridge.h"
 #include "prosup/core/error.h"
@@ -52,22 +53,6 @@ double noise_threshold(const ScalarImage& image) {
   return std::expm1(double(otsu->GetThreshold()));
 }
 
-/// 1 where a straight line from the front face of the image meets nothing that is not `passable`.
-LabelImage seen_from_front(const LabelImage& passable) {
-  LabelImage seen(passable.grid);
-  const auto& size = seen.grid.size;
-  const bool forward = front_is_first(seen.grid);
-  for (std::size_t k = 0; k < size[2]; ++k)
-    for (std::size_t i = 0; i < size[0]; ++i)
-      for (std::size_t n = 0; n < size[1]; ++n) {
-        const std::size_t j = forward ? n : size[1] - 1 - n;
-        if (passable(i, j, k) == 0)
-          break;
-        seen(i, j, k) = 1;
-      }
-  return seen;
-}
-
 /// The part of `open` that belongs to the air in front: what is seen from the front, and what lies
 /// beside that, through passages wider than a gap in the outline.
 LabelImage air_in_front(const LabelImage& open) {
@@ -86,6 +71,11 @@ LabelImage where(const ScalarImage& image, const Predicate& predicate) {
   return mask;
 }
 
+dealii::Point<3> position_of(std::size_t voxel, const image::VoxelGrid& grid) {
+  const std::size_t n = grid.size[0], m = grid.size[1];
+  return grid.physical(double(voxel % n), double(voxel / n % m), double(voxel / (n * m)));
+}
+
 /// Largest intensities in boxes that are wide enough for coarse voxels.
 class WidePeak {
 public:
@@ -93,11 +83,7 @@ public:
       : grid_(smooth.grid), peak_(local_peak(image::resample_isotropic(smooth, wide_edge), radius)),
         sampler_(peak_) {}
 
-  float operator()(std::size_t voxel) const {
-    const std::size_t n = grid_.size[0], m = grid_.size[1];
-    return sampler_.value(
-        grid_.physical(double(voxel % n), double(voxel / n % m), double(voxel / (n * m))));
-  }
+  float operator()(std::size_t voxel) const { return sampler_.value(position_of(voxel, grid_)); }
 
 private:
   const image::VoxelGrid& grid_;
@@ -111,8 +97,11 @@ LabelImage solid_parts(const ScalarImage& smooth, double threshold, bool is_ct) 
   if (is_ct)
     return where(smooth, above);
   const WidePeak peak(smooth, far_radius);
-  return where(smooth,
-               [&](std::size_t v) { return above(v) && smooth.values[v] > tenth * peak(v); });
+  const LabelImage inside = body_within_edges(smooth, threshold);
+  return where(smooth, [&](std::size_t v) {
+    return above(v) && smooth.values[v] > tenth * peak(v) &&
+           image::nearest_label(inside, position_of(v, smooth.grid)) != 0;
+  });
 }
 
 /// Peaks of the tissue nearby, against which the edge of the skin is found.
@@ -166,10 +155,6 @@ double median_of_air(const ScalarImage& image, const LabelImage& air) {
 }
 
 } // namespace
-
-bool front_is_first(const image::VoxelGrid& grid) {
-  return grid.direction[1][1] > 0.;
-}
 
 Outline find_outline(const ScalarImage& image, bool is_ct) {
   const ScalarImage smooth = image::gaussian_smooth(image, blur);

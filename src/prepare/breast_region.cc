@@ -4,9 +4,9 @@
 #include <cmath>
 #include <map>
 
+#include "flood.h"
 #include "prosup/core/error.h"
 #include "prosup/core/log.h"
-#include "prosup/prepare/body_outline.h"
 
 namespace prosup::prepare {
 

@@ -13,7 +13,10 @@ namespace {
 constexpr double degree = 3.14159265358979323846 / 180.;
 constexpr double innermost = 10.; // mm
 constexpr double step = 1., slope = 0.06, largest_jump = 3.;
-constexpr float untold = 0.5f;      // cost of a wall that nothing speaks for
+constexpr float untold = 0.5f;        // cost of a wall that nothing speaks for
+constexpr double slope_of_pit = 0.05; // cost per mm
+constexpr double front_of_pits = 45. * degree;
+constexpr unsigned n_rounds_of_pits = 2;
 constexpr double foot_of_hill = 3.; // mm
 constexpr double least_hill = 11.;  // mm; chests outlined by hand have hills of up to 8 mm
 // Chests outlined by hand depart from smooth ones by more than this on 3 cm^2 at most.
@@ -44,11 +47,11 @@ CoarseWall::CoarseWall(const ProfileSource& source, const TrunkAxis& axis, bool 
                   [](double skin) { return std::isnan(skin); }))
     throw Error("No chest is found behind the breasts; give a scan that shows the chest wall.");
   costs_ = wall_costs(profiles_, tissue_, fat_is_bright, {});
-  find_surface();
+  find_surface(costs_);
 }
 
-void CoarseWall::find_surface() {
-  levels_ = minimal_surface(costs_, float(slope * step), float(largest_jump), n_wall_sweeps);
+void CoarseWall::find_surface(const SurfaceCosts& costs) {
+  levels_ = minimal_surface(costs, float(slope * step), float(largest_jump), n_wall_sweeps);
   radius_ = smoothed(median_filtered(radii(profiles_, levels_), 1, 1), 1.);
 }
 
@@ -87,20 +90,45 @@ Departure CoarseWall::departure_of(const std::vector<char>& columns,
   return result;
 }
 
+std::vector<char> CoarseWall::told_columns(const std::vector<char>& in_front) const {
+  std::vector<char> told(in_front.size());
+  for (std::size_t column = 0; column < told.size(); ++column)
+    told[column] = in_front[column] != 0 && cost(column) < untold;
+  return told;
+}
+
+SurfaceCosts CoarseWall::costs_above_pits(const ColumnMap& smooth) const {
+  SurfaceCosts costs = costs_;
+  for (std::size_t r = 0; r < costs.n_rows; ++r)
+    for (std::size_t c = 0; c < costs.n_columns; ++c) {
+      if (std::abs(grid().angle(c)) > front_of_pits || std::isnan(tissue_.skin(r, c)))
+        continue;
+      for (std::size_t l = 0; l < costs.n_levels; ++l) {
+        const double depth = smooth(r, c) - profiles_.radius(r, c, double(l) - 0.5);
+        costs.at(r, c)[l] += float(slope_of_pit * std::max(0., depth - odd_departure));
+      }
+    }
+  return costs;
+}
+
 void CoarseWall::correct_shape() {
   if (exclude_muscle(tissue_, fat_is_bright_)) {
     costs_ = wall_costs(profiles_, tissue_, fat_is_bright_, {});
-    find_surface();
+    find_surface(costs_);
   }
   const std::size_t n = levels_.size();
-  std::vector<char> in_front(n), told(n), odd(n);
-  for (std::size_t column = 0; column < n; ++column) {
+  std::vector<char> in_front(n), odd(n);
+  for (std::size_t column = 0; column < n; ++column)
     in_front[column] =
         std::abs(angle(column)) < widest_breast && !std::isnan(tissue_.skin.values[column]);
-    told[column] = in_front[column] != 0 && cost(column) < untold;
+  std::vector<char> told = told_columns(in_front);
+  ColumnMap smooth = smooth_chest(grid(), radius_, told);
+  for (unsigned round = 0; round < n_rounds_of_pits; ++round) {
+    find_surface(costs_above_pits(smooth));
+    told = told_columns(in_front);
+    smooth = smooth_chest(grid(), radius_, told);
   }
   hill_ = ColumnMap(grid().n_rows, grid().n_columns);
-  const ColumnMap smooth = smooth_chest(grid(), radius_, told);
   ColumnMap surroundings = above(smooth);
   const ColumnMap height = hill_height(surroundings, in_front);
   const std::vector<char> hill = hills(height, foot_of_hill, least_hill);

@@ -47,4 +47,23 @@ void flood(image::LabelImage& reached, const image::LabelImage& passable, double
   }
 }
 
+bool front_is_first(const image::VoxelGrid& grid) {
+  return grid.direction[1][1] > 0.;
+}
+
+image::LabelImage seen_from_front(const image::LabelImage& passable) {
+  image::LabelImage seen(passable.grid);
+  const auto& size = seen.grid.size;
+  const bool forward = front_is_first(seen.grid);
+  for (std::size_t k = 0; k < size[2]; ++k)
+    for (std::size_t i = 0; i < size[0]; ++i)
+      for (std::size_t n = 0; n < size[1]; ++n) {
+        const std::size_t j = forward ? n : size[1] - 1 - n;
+        if (passable(i, j, k) == 0)
+          break;
+        seen(i, j, k) = 1;
+      }
+  return seen;
+}
+
 } // namespace prosup::prepare

@@ -9,6 +9,12 @@ namespace prosup::prepare {
 /// of at most `depth_mm` from the region that is given.
 void flood(image::LabelImage& reached, const image::LabelImage& passable, double depth_mm);
 
+/// Whether the first index of axis 1 of the grid is the front (-y).
+bool front_is_first(const image::VoxelGrid& grid);
+
+/// 1 where a straight line from the front face of the image meets nothing that is not `passable`.
+image::LabelImage seen_from_front(const image::LabelImage& passable);
+
 } // namespace prosup::prepare
 
 #endif

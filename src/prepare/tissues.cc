@@ -5,6 +5,7 @@
 
 #include "breast_voxels.h"
 #include "prosup/core/error.h"
+#include "prosup/image/filters.h"
 
 namespace prosup::prepare {
 
@@ -17,6 +18,7 @@ constexpr float darkest = -200.f, brightest_ct = 300.f;       // HU; beyond is n
 constexpr double field_width = 10.;                           // mm
 constexpr double brightest = 1.3; // of what counts for the mean of gland: vessels are brighter
 constexpr double smallest_share = 0.01, largest_share = 0.95; // of gland
+constexpr double smallest_part = 200.;                        // mm^3 of gland
 
 /// Expectation maximisation; q is the probability of gland.
 class TissueMixture {
@@ -44,6 +46,7 @@ public:
     share_ = 0.5; // from here on the boundary lies midway between the tissues
     for (unsigned round = 0; round < 2; ++round)
       expect(weak_coupling);
+    drop_small_parts();
     return result();
   }
 
@@ -123,6 +126,17 @@ private:
     field_.sample(voxels_, gain_);
     for (float& gain : gain_)
       gain = std::clamp(gain, 0.2f, 5.f);
+  }
+
+  /// Makes fat of gland that hangs together with none: vessels and noise.
+  void drop_small_parts() {
+    image::LabelImage gland(image_.inner.grid);
+    for (std::size_t i = 0; i < q_.size(); ++i)
+      gland.values[voxels_.voxel[i]] = q_[i] > 0.5f;
+    gland = image::without_small_parts(gland, smallest_part);
+    for (std::size_t i = 0; i < q_.size(); ++i)
+      if (gland.values[voxels_.voxel[i]] == 0)
+        q_[i] = std::min(q_[i], 0.5f);
   }
 
   bool touches_gland(std::size_t i) const {

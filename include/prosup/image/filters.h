@@ -71,6 +71,9 @@ LabelImage select_labels(const LabelImage& image, const std::vector<unsigned>& l
 /// The largest connected part of a mask; an empty mask stays empty.
 LabelImage largest_component(const LabelImage& mask);
 
+/// A mask without its connected parts that are smaller than `volume`, mm^3.
+LabelImage without_small_parts(const LabelImage& mask, double volume);
+
 /// The part of a mask that has nothing but mask around it along the axes: up to the voxel that is
 /// `distance` (mm) or more away in each of the six directions. What lies beyond the image is not
 /// outside.

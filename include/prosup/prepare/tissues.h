@@ -30,7 +30,8 @@ struct TissueImage {
 /// of the bias field: the mean of I / mu_0 with the weights q_0, over 10 mm (as Wells et al., IEEE
 /// Trans. Med. Imaging 15, 1996); g = 1 in CT. beta is 1.5 while the tissues are found. Then, with
 /// pi_1 = pi_0 and beta = 0.5, the labels follow the middle between the tissues, and thin strands
-/// of gland stay.
+/// of gland stay. Connected parts of gland of less than 0.2 ml, which are vessels and noise, become
+/// fat.
 ///
 /// The fraction of gland is f, not below 0, in voxels that touch gland, and 0 elsewhere.
 /// @throws Error if `inner` is empty.

@@ -47,6 +47,19 @@ TEST(LargestComponent, LeavesAnEmptyMaskEmpty) {
   EXPECT_EQ(n_inside(largest_component(LabelImage(cube_grid(3)))), 0u);
 }
 
+TEST(SmallParts, AreThoseBelowAVolume) {
+  LabelImage mask(cube_grid(10));
+  mask.grid.spacing[0] = mask.grid.spacing[1] = mask.grid.spacing[2] = 2.; // mm; voxels of 8 mm^3
+  set_box(mask, {1, 1, 1}, {3, 3, 3}, 9);                                  // 27 voxels, 216 mm^3
+  set_box(mask, {4, 4, 4}, {7, 7, 5}, 4); // 32, 256 mm^3, touch the others at a corner only
+  EXPECT_EQ(n_inside(without_small_parts(mask, 216.)), 59u);
+  const LabelImage large = without_small_parts(mask, 217.);
+  EXPECT_EQ(n_inside(large), 32u);
+  EXPECT_EQ(large(5, 5, 5), 1);
+  EXPECT_EQ(n_inside(without_small_parts(mask, 300.)), 0u);
+  EXPECT_EQ(n_inside(without_small_parts(LabelImage(cube_grid(3)), 1.)), 0u);
+}
+
 TEST(InnerPart, LeavesOutWhatIsNearTheOutlineButNotWhatIsNearTheBorder) {
   LabelImage mask(cube_grid(10));
   mask.grid.spacing[0] = 0.7;

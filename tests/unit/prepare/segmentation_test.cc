@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "expect_error.h"
 #include "preparation_of.h"
@@ -63,6 +64,23 @@ TEST(Outline, ContainsTheLungThatTheImageEndsIn) {
   }
 }
 
+// Ghosts of the moving heart, beside the body and from 5 mm in front of its skin on, are a quarter
+// as bright as fat in the mean and half as bright in places.
+TEST(Outline, LeavesOutGhostsBesideTheBody) {
+  SyntheticChest chest(suppressed_fat());
+  std::mt19937 generator(2);
+  std::normal_distribution<double> part(0., 12.);
+  for (std::size_t k = 0; k < 28; ++k)
+    for (std::size_t j = 0; j < 61; ++j)
+      for (std::size_t i = 0; i < 98; ++i) {
+        const image::Point<3> p = chest.labels.grid.physical(double(i), double(j), double(k));
+        if (p[1] > 40. && chest.labels(i, j, k) == 0)
+          chest.image(i, j, k) = float(std::hypot(part(generator), part(generator)));
+      }
+  const prepare::Outline outline = prepare::find_outline(chest.image, false);
+  EXPECT_GT(dice(outline.body, chest.labels, is_body), 0.985);
+}
+
 TEST(Outline, OfNothingIsRefused) {
   image::VoxelGrid grid;
   grid.size = {20, 20, 20};
@@ -115,6 +133,27 @@ TEST(ChestWall, IsContinuedBehindGlandThatLiesOnIt) {
   EXPECT_EQ(wall.departure.area, 0.);
 }
 
+// At the upper end of the scan, what lies 40 mm deep behind the front of the chest has the
+// intensity of fat, and bright vessels follow: there is no edge but one deep in the chest.
+TEST(ChestWall, StaysInFrontOfEdgesDeepInTheChest) {
+  SyntheticChest chest(suppressed_fat());
+  std::mt19937 generator(2);
+  std::normal_distribution<double> noise(0., 4.);
+  for (std::size_t k = 0; k < 28; ++k)
+    for (std::size_t j = 0; j < 61; ++j)
+      for (std::size_t i = 0; i < 98; ++i) {
+        const image::Point<3> p = chest.labels.grid.physical(double(i), double(j), double(k));
+        const double depth =
+            SyntheticChest::chest_radius - std::hypot(p[0], p[1] - SyntheticChest::axis_y);
+        if (std::abs(p[0]) < 30. && p[2] > 5. && depth > 0.)
+          chest.image(i, j, k) = float((depth < 40. ? 60. : 150.) + noise(generator));
+      }
+  const prepare::ChestWall wall = wall_of(chest, false, false);
+  for (double x = -10.; x <= 10.; x += 5.)
+    EXPECT_NEAR(wall.surface(x / SyntheticChest::chest_radius, 30.), SyntheticChest::chest_radius,
+                20.);
+}
+
 TEST(Tissues, LieMidwayAndKeepTheirFraction) {
   for (const Kind& kind : kinds()) {
     SCOPED_TRACE(kind.name);
@@ -135,6 +174,24 @@ TEST(Tissues, LieMidwayAndKeepTheirFraction) {
     EXPECT_GT(both, 0.95 * gland);
     EXPECT_NEAR(fraction / gland, 1., 0.1);
     EXPECT_GT(tissues.separation(), 3.);
+  }
+}
+
+// Two voxels of 19 mm^3 in the fat of a breast.
+TEST(Tissues, LeaveOutWhatHangsTogetherWithNoGland) {
+  SyntheticChest chest(suppressed_fat());
+  const image::Point<3> place(SyntheticChest::breast_x, 40., 0.);
+  const image::Point<3> index = chest.labels.grid.continuous_index(place);
+  const auto at = [&](unsigned d) { return std::size_t(std::lround(index[d])); };
+  for (const std::size_t k : {at(2), at(2) + 1}) {
+    ASSERT_EQ(chest.labels(at(0), at(1), k), 2);
+    chest.image(at(0), at(1), k) = float(suppressed_fat().gland);
+  }
+  const prepare::Tissues tissues =
+      prepare::find_tissues({chest.image, chest.inner(), false, false});
+  for (const std::size_t k : {at(2), at(2) + 1}) {
+    EXPECT_EQ(tissues.gland(at(0), at(1), k), 0);
+    EXPECT_EQ(tissues.fraction(at(0), at(1), k), 0.f);
   }
 }
 
