@@ -114,6 +114,9 @@ void start_without_daemon() {
     if (std::getenv(name) != nullptr)
       return;
   setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+  // Such processes share one folder for temporary files, which the first of them that ends removes;
+  // this part of MPI's files, which prosup does not use, tells of that as of an error.
+  setenv("OMPI_MCA_sharedfp", "^sm", 0);
 }
 
 } // namespace prosup

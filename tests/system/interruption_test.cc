@@ -198,6 +198,20 @@ TEST(Interruption, ByAFullDiskNamesTheFile) {
   }
 }
 
+// Runs without mpirun share Open MPI's folder of temporary files, and the first that ends removes
+// it.
+TEST(Environment, WithoutItsTemporaryFilesOpenMpiIsQuiet) {
+  const TemporaryFolder folder;
+  const fs::path temporary = folder / "temporary";
+  fs::create_directory(temporary);
+  RunningProgram run(folder, folder / "result", {"env", "TMPDIR=" + temporary.string()});
+  run.wait_for("Meshing");
+  for (const auto& entry : fs::directory_iterator(temporary))
+    fs::remove_all(entry);
+  EXPECT_EQ(run.wait(), 0);
+  EXPECT_EQ(run.err(), "");
+}
+
 TEST(Environment, WithNonsenseIsNoReasonToCrash) {
   for (const char* variable : {"DEAL_II_NUM_THREADS", "OMP_NUM_THREADS"})
     for (const char* value : {"abc", "-3", "0", "99999999999999999999", ""}) {
