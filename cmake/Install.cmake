@@ -23,6 +23,16 @@ file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/quickstart.prm CONTENT "${quickstart
 install(FILES ${PROJECT_BINARY_DIR}/quickstart.prm
   ${PROJECT_SOURCE_DIR}/prm/phantom.prm ${PROJECT_SOURCE_DIR}/prm/phantom_mrct.prm
   DESTINATION ${CMAKE_INSTALL_DATADIR}/prosup/prm)
+# The workflow for many cases, and a table of three that are made of the sample.
+set(cohort ${PROJECT_SOURCE_DIR}/examples/cohort)
+file(RELATIVE_PATH installed_sample ${CMAKE_INSTALL_FULL_DOCDIR}/examples/cohort
+  ${CMAKE_INSTALL_FULL_DATADIR}/prosup/anthro1)
+file(READ ${cohort}/cases.csv cases)
+string(REPLACE ../../${sample} ${installed_sample} cases "${cases}")
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/cases.csv CONTENT "${cases}" @ONLY)
+install(DIRECTORY ${cohort} DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples
+  USE_SOURCE_PERMISSIONS PATTERN cases.csv EXCLUDE)
+install(FILES ${PROJECT_BINARY_DIR}/cases.csv DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples/cohort)
 
 install(EXPORT prosupTargets NAMESPACE prosup:: DESTINATION ${package_folder})
 
