@@ -15,17 +15,33 @@ constexpr Colour black{0, 0, 0}, white{255, 255, 255}, outline_yellow{255, 214, 
 OutlinedSlice::OutlinedSlice(const Orientation& orientation, const SliceBox& box,
                              const image::LabelImage& mask, int width)
     : orientation_(orientation), plane_(orientation, box, common_scale(box, width)) {
-  const auto in_mask = voxels_with(mask, 1);
-  const int n_columns = plane_.width(), n_rows = plane_.height();
-  is_breast_.resize(std::size_t(n_columns) * std::size_t(n_rows));
-  for (int row = 0; row < n_rows; ++row)
-    for (int column = 0; column < n_columns; ++column)
-      is_breast_[pixel(column, row)] = in_mask(plane_.position(column, row));
-  is_outline_.resize(is_breast_.size());
-  for (int row = 0; row + 1 < n_rows; ++row)
-    for (int column = 0; column + 1 < n_columns; ++column)
-      is_outline_[pixel(column, row)] = is_breast(column, row) != is_breast(column + 1, row) ||
-                                        is_breast(column, row) != is_breast(column, row + 1);
+  is_breast_ = inside(voxels_with(mask, 1));
+  is_outline_ = border(is_breast_);
+}
+
+std::vector<bool>
+OutlinedSlice::inside(const std::function<bool(const Point<3>&)>& is_inside) const {
+  std::vector<bool> result;
+  for (int row = 0; row < plane_.height(); ++row)
+    for (int column = 0; column < plane_.width(); ++column)
+      result.push_back(is_inside(plane_.position(column, row)));
+  return result;
+}
+
+std::vector<bool> OutlinedSlice::border(const std::vector<bool>& inside) const {
+  std::vector<bool> result(inside.size());
+  for (int row = 0; row + 1 < plane_.height(); ++row)
+    for (int column = 0; column + 1 < plane_.width(); ++column) {
+      const bool here = inside[pixel(column, row)];
+      result[pixel(column, row)] =
+          here != inside[pixel(column + 1, row)] || here != inside[pixel(column, row + 1)];
+    }
+  return result;
+}
+
+std::vector<bool>
+OutlinedSlice::outline(const std::function<bool(const Point<3>&)>& is_inside) const {
+  return border(inside(is_inside));
 }
 
 std::string OutlinedSlice::picture(const std::function<Colour(int, int)>& colour) const {

@@ -34,10 +34,16 @@ public:
 
   bool is_breast(int column, int row) const { return is_breast_[pixel(column, row)]; }
 
+  /// Row by row, whether a pixel lies at the border of what is inside.
+  std::vector<bool> outline(const std::function<bool(const Point<3>&)>& is_inside) const;
+
   /// The address of a PNG of this colour at each pixel (column, row).
   std::string picture(const std::function<Colour(int, int)>& colour) const;
 
 private:
+  std::vector<bool> inside(const std::function<bool(const Point<3>&)>& is_inside) const;
+  std::vector<bool> border(const std::vector<bool>& inside) const;
+
   const Orientation& orientation_;
   SlicePlane plane_;
   std::vector<bool> is_breast_, is_outline_;

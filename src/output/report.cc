@@ -8,7 +8,6 @@
 #include "prosup/core/log.h"
 #include "prosup/core/text.h"
 #include "prosup/core/text_file.h"
-#include "prosup/image/image_io.h"
 #include "prosup/output/pictures.h"
 #include "prosup/output/registration_file.h"
 #include "report_charts.h"
@@ -76,10 +75,9 @@ std::string warnings(const Json& summary) {
 }
 
 std::string slices(const fs::path& result, const std::optional<ReportImages>& images) {
-  const fs::path carried = result / "prone_in_supine.nii.gz";
   std::string text;
-  if (images && fs::exists(carried))
-    text = report_slices(*images, image::read_image(carried));
+  if (images && fs::exists(result / prone_in_supine))
+    text = report_slices(*images, result);
   else
     text = "<p>There are no slices to compare: no pictures were wanted, or the images that the run "
            "started from or <code>prone_in_supine.nii.gz</code> are not there.</p>\n";

@@ -112,6 +112,33 @@ TEST_F(Report, NeedsNothingFromElsewhereAndAllPicturesDecode) {
     EXPECT_EQ(address, "://www.w3.org/2000/svg"); // a name, not fetched
 }
 
+// The mask of prone is seen as it lies, and carried to supine by the field.
+TEST_F(Report, PronePicturesHaveTheOutlineOfTheProneBreast) {
+  image::VectorImage field(images_.prone.grid);
+  image::write_displacement(field, folder_ / "supine_to_prone.nrrd");
+  const auto prone_pictures = [&] {
+    auto sources = between(page(shown_), "src=\"", "\"");
+    EXPECT_EQ(sources.size(), 12u);
+    sources.resize(4); // of the axial plane: supine, prone carried, as scanned, checkerboard
+    return sources;
+  };
+  const auto same = prone_pictures();
+  for (std::size_t v = 0; v < masks_.prone.values.size(); ++v)
+    masks_.prone.values[v] = v % 40 > 20;
+  const auto larger = prone_pictures();
+  EXPECT_EQ(larger[0], same[0]);
+  for (std::size_t n = 1; n < 4; ++n)
+    EXPECT_NE(larger[n], same[n]) << n;
+  // The field takes the outline of supine to that of prone.
+  for (auto& u : field.values)
+    u = {-10.f, 0.f, 0.f};
+  image::write_displacement(field, folder_ / "supine_to_prone.nrrd");
+  const auto carried = prone_pictures();
+  EXPECT_EQ(carried[1], same[1]);
+  EXPECT_EQ(carried[2], larger[2]);
+  EXPECT_EQ(carried[3], same[3]);
+}
+
 TEST_F(Report, ElementsAreClosed) {
   const std::string html = page(shown_);
   for (const char* element : {"html", "head", "body", "section", "table", "tr", "td", "figure",
