@@ -26,6 +26,16 @@ Json value_at(const Json& json, const char* key) {
   return found == json.end() ? Json() : *found;
 }
 
+constexpr const char* of_prosup = "prosup: "; // what follows in a description is its own
+
+/// What somebody else has written about a point, and then `text`.
+std::string appended(const std::string& description, const std::string& text) {
+  std::string own = description.substr(0, description.find(of_prosup));
+  while (!own.empty() && (own.back() == ' ' || own.back() == ';'))
+    own.pop_back();
+  return own.empty() ? text : own + "; " + text;
+}
+
 /// Moves the control points of `markup` to the positions from `next` on.
 void move(Json& markup, std::vector<NamedPoint>::const_iterator& next) {
   const CoordinateSystem system =
@@ -46,7 +56,7 @@ void move(Json& markup, std::vector<NamedPoint>::const_iterator& next) {
     const Point<3> p = to_lps(next->position, system); // the turn is its own inverse
     point["position"] = {p[0], p[1], p[2]};
     if (const std::string text = described(*next); !text.empty())
-      point["description"] = text;
+      point["description"] = appended(text_at(point, "description", ""), text);
     moved.push_back(std::move(point));
     ++next;
   }
@@ -85,7 +95,7 @@ std::string described(const NamedPoint& point) {
     change("chest wall", figures.before.chest_wall, figures.after.chest_wall);
     change("nipple", figures.nipple_before, figures.nipple_after);
   }
-  return joined(parts, "; ");
+  return parts.empty() ? "" : of_prosup + joined(parts, "; ");
 }
 
 } // namespace prosup::evaluation

@@ -26,8 +26,8 @@ const char* const original = R"({"@schema": "s", "markups": [
 class MarkupsLike : public ::testing::Test {
 protected:
   /// The file with all its points moved by (10, 20, 30) mm, LPS.
-  Json moved() const {
-    const auto file = text_file(folder_ / "in.mrk.json", original);
+  Json moved(const std::string& text = original) const {
+    const auto file = text_file(folder_ / "in.mrk.json", text);
     std::vector<NamedPoint> points = read_points(file);
     for (NamedPoint& point : points) {
       point.position += dealii::Tensor<1, 3>({10., 20., 30.});
@@ -72,10 +72,17 @@ TEST_F(MarkupsLike, AreReadBackWhereTheyWereWritten) {
   EXPECT_EQ(points[2].id, "p");
 }
 
-// A distance that is not known on one side is not told.
+// A distance that is not known on one side is not told. What somebody has written stays, what
+// prosup has written before is replaced.
 TEST_F(MarkupsLike, DescribeWhatIsKnown) {
-  EXPECT_EQ(moved()["markups"][0]["controlPoints"][1]["description"],
-            "J 0.900; skin 11.5 mm away (before: 12.0 mm); nipple 45.2 mm away (before: 50.0 mm)");
+  const Json once = moved();
+  const std::string figures =
+      "prosup: J 0.900; skin 11.5 mm away (before: 12.0 mm); nipple 45.2 mm away (before: 50.0 mm)";
+  for (const Json& file : {once, moved(once.dump())}) {
+    const Json& points = file["markups"][0]["controlPoints"];
+    EXPECT_EQ(points[0]["description"], figures);
+    EXPECT_EQ(points[1]["description"], "old; " + figures);
+  }
 }
 
 TEST_F(MarkupsLike, OfAFileThatChangedAreRefused) {
