@@ -103,8 +103,8 @@ void write(vtkPolyData& model, const fs::path& file) {
   if (ending_of(file) == ".vtp")
     return write_vtp(model, file);
   if (model.GetNumberOfPolys() + model.GetNumberOfStrips() == 0)
-    throw Error("The model has no faces, which '" + file.string() +
-                "' would need; write it as .vtp.");
+    throw Error("The model has no faces, without which it cannot be written as " + ending_of(file) +
+                "; write it as .vtp.");
   if (ending_of(file) == ".obj") {
     vtkNew<vtkOBJWriter> writer;
     return write_with(*writer, model, file);

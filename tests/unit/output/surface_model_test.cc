@@ -64,6 +64,21 @@ TEST(SurfaceModel, ThatSaysRasIsTurned) {
   EXPECT_NE(contents(folder / "out.stl").find("SPACE=LPS"), std::string::npos);
 }
 
+// Lines without faces, which of the formats that are written VTP only holds.
+TEST(SurfaceModel, OfAContourIsMoved) {
+  const TemporaryFolder folder;
+  const auto contour = text_file(folder / "in.obj", "v 0 0 0\nv 10 0 0\nv 0 20 0\nl 1 2 3 1\n");
+  const auto shifted = [](const Point<3>& p) { return p + dealii::Tensor<1, 3>({1., 2., 3.}); };
+  EXPECT_EQ(move_model(contour, folder / "out.vtp", shifted), 3u);
+  EXPECT_EQ(points_of(folder / "out.vtp").size(), 3u);
+  EXPECT_TRUE(holds(points_of(folder / "out.vtp"), Point<3>(11., 2., 3.)));
+  const std::string written = contents(folder / "out.vtp");
+  EXPECT_NE(written.find("NumberOfLines=\"1\""), std::string::npos) << written.substr(0, 500);
+  for (const char* name : {"out.stl", "out.obj"})
+    expect_error([&] { move_model(contour, folder / name, shifted); },
+                 {"no faces", std::string("as ") + (name + 3), ".vtp"});
+}
+
 TEST(SurfaceModel, ThatCannotBeUsedIsRefused) {
   const TemporaryFolder folder;
   const auto same = [](const Point<3>& p) { return p; };
