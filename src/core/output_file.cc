@@ -34,13 +34,21 @@ std::string first_line(const fs::path& file) {
   return line.substr(0, line.find('\n'));
 }
 
+/// Whether a file or what a link leads to is a device or a pipe. These have to be opened by the
+/// link: a pipe at the end of /dev/stdout has no other name.
+bool is_device(const fs::path& file) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(file, ignored);
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
 } // namespace
 
 OutputFile::OutputFile(const fs::path& file, OutputFileRules rules)
-    : given_(file), rules_(std::move(rules)), file_(without_links(file)) {
+    : given_(file), rules_(std::move(rules)),
+      file_(is_device(file) ? absolute_path(file) : without_links(file)) {
   check();
-  const fs::file_status status = fs::status(file_);
-  if (fs::exists(status) && !fs::is_regular_file(status))
+  if (is_device(file_))
     temporary_ = file_;
   else
     make_temporary();

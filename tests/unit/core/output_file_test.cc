@@ -1,6 +1,7 @@
 #include "prosup/core/output_file.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "prosup/core/error.h"
 #include "prosup/core/exception_text.h"
@@ -96,6 +97,18 @@ TEST(OutputFile, FollowsALinkAndKeepsModes) {
   EXPECT_TRUE(fs::is_symlink(here / "link.csv"));
   EXPECT_EQ(contents(file), header + "\n");
   EXPECT_EQ(fs::status(file).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+}
+
+// As /dev/stdout is where another program reads it.
+TEST(OutputFile, MayBeAPipeThatALinkLeadsTo) {
+  int ends[2];
+  ASSERT_EQ(pipe(ends), 0);
+  write("/proc/self/fd/" + std::to_string(ends[1]), "text", {{}, false, header});
+  std::string read_back(4, '\0');
+  EXPECT_EQ(read(ends[0], read_back.data(), 4), 4);
+  EXPECT_EQ(read_back, "text");
+  close(ends[0]);
+  close(ends[1]);
 }
 
 TEST(OutputFile, MayBeADeviceButNoFolder) {
