@@ -119,4 +119,11 @@ void start_without_daemon() {
   setenv("OMPI_MCA_sharedfp", "^sm", 0);
 }
 
+void stay_on_this_machine() {
+  const char *all = std::getenv("OMPI_COMM_WORLD_SIZE"),
+             *here = std::getenv("OMPI_COMM_WORLD_LOCAL_SIZE");
+  if (all != nullptr && here != nullptr && std::strcmp(all, here) == 0)
+    setenv("OMPI_MCA_btl", "^tcp", 0);
+}
+
 } // namespace prosup

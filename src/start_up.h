@@ -12,6 +12,10 @@ bool is_first_rank();
 /// MPI_Init().
 void start_without_daemon();
 
+/// Keeps Open MPI off the network where mpirun runs all ranks on this machine: version 5 prints an
+/// error there if an interface has an address of IPv6. For before MPI_Init().
+void stay_on_this_machine();
+
 } // namespace prosup
 
 #endif
