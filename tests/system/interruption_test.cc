@@ -1,5 +1,6 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <mpi.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -133,7 +134,7 @@ TEST(Interruption, ByKillIsClearedAwayByTheNextRun) {
   EXPECT_TRUE(fs::exists(folder / "there/result/summary.json"));
 }
 
-// mpirun adds lines of its own.
+// mpirun adds lines of its own. That of version 5 drops what ranks say after it was interrupted.
 TEST(Interruption, UnderMpirunIsToldOnce) {
   const TemporaryFolder folder;
   fs::create_directory(folder / "there");
@@ -145,7 +146,11 @@ TEST(Interruption, UnderMpirunIsToldOnce) {
   run.wait_for("Meshing");
   run.send(SIGTERM);
   EXPECT_NE(run.wait(), 0);
+#if OMPI_MAJOR_VERSION < 5
   EXPECT_EQ(n_lines(run.err()), 1u) << run.err();
+#else
+  EXPECT_LE(n_lines(run.err()), 1u) << run.err();
+#endif
   EXPECT_EQ(n_entries(folder / "there"), 0u);
 }
 
