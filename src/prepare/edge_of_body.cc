@@ -54,8 +54,9 @@ LabelImage sure_parts(const ScalarImage& coarse, double threshold) {
 Levels gradient_of_log(const ScalarImage& coarse, double threshold) {
   using Itk = image::ItkImage<float>;
   ScalarImage logarithm = image::gaussian_smooth(coarse, gradient_blur);
+  const double offset = std::max(0.5 * threshold, 1e-6); // 0 in an image of zeros
   for (float& value : logarithm.values)
-    value = float(std::log(std::max(double(value), 0.) + 0.5 * threshold));
+    value = float(std::log(std::max(double(value), 0.) + offset));
   auto gradient = itk::GradientMagnitudeImageFilter<Itk, Itk>::New();
   gradient->SetInput(image::as_itk(logarithm));
   gradient->Update();

@@ -84,8 +84,9 @@ TEST(Outline, LeavesOutGhostsBesideTheBody) {
 TEST(Outline, OfNothingIsRefused) {
   image::VoxelGrid grid;
   grid.size = {20, 20, 20};
-  expect_error([&] { prepare::find_outline(image::ScalarImage(grid, 3.f), false); },
-               {"outline", "air"});
+  for (const float value : {0.f, 3.f})
+    expect_error([&] { prepare::find_outline(image::ScalarImage(grid, value), false); },
+                 {"outline", "air"});
 }
 
 /// Mean distance of a wall to the true one under the breasts, mm.
